@@ -1,0 +1,25 @@
+# How every target of this tree is compiled: the interface target batten_flags.
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+    set(CMAKE_BUILD_TYPE Release)
+endif()
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+find_program(BATTEN_CCACHE ccache)
+if(BATTEN_CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${BATTEN_CCACHE})
+endif()
+
+add_library(batten_flags INTERFACE)
+# The same numbers on every machine: no contraction of a*b+c unless a kernel writes it down.
+target_compile_options(batten_flags INTERFACE -Wall -Wextra -Wconversion -Wno-sign-conversion
+                       -ffp-contract=off)
+target_include_directories(batten_flags INTERFACE ${PROJECT_SOURCE_DIR}/include
+                           ${PROJECT_SOURCE_DIR}/src)
+if(BATTEN_SANITIZE)
+    add_compile_options(-fsanitize=${BATTEN_SANITIZE} -fno-omit-frame-pointer
+                        -fno-sanitize-recover=all)
+    add_link_options(-fsanitize=${BATTEN_SANITIZE})
+endif()

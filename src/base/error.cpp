@@ -1,0 +1,18 @@
+#include "batten/base/error.hpp"
+
+#include <utility>
+
+namespace batten {
+
+Error::Error(std::string code, std::string place, std::string value, std::string rule)
+    : std::runtime_error(code + ": " + place + ": " + value + ": " + rule),
+      code_(std::move(code)),
+      place_(std::move(place)),
+      value_(std::move(value)),
+      rule_(std::move(rule)) {}
+
+Error Error::within(const std::string& prefix) const {
+    return {code_, prefix + ' ' + place_, value_, rule_};
+}
+
+}  // namespace batten

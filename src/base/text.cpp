@@ -1,0 +1,85 @@
+#define FMT_HEADER_ONLY 1
+#include "batten/base/text.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace batten {
+namespace {
+
+std::string_view without_plus(std::string_view text) {
+    const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+';
+    return plus ? text.substr(1) : text;
+}
+
+#if defined(__cpp_lib_to_chars)
+/// What a number is that no double can hold: 0 where it is too small, inf where it is too large.
+double beyond_range(std::string_view text) {
+    const bool negative = text[0] == '-';
+    const std::string_view digits = text.substr(negative ? 1 : 0);
+    const bool tiny = digits.substr(0, 2) == "0." || digits[0] == '.' ||
+                      digits.find("e-") != std::string_view::npos ||
+                      digits.find("E-") != std::string_view::npos;
+    const double size = tiny ? 0 : std::numeric_limits<double>::infinity();
+    return negative ? -size : size;
+}
+#endif
+
+}  // namespace
+
+std::string format_number(double x) {
+    if (std::isnan(x)) return "nan";
+    if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
+    return fmt::format("{}", x);
+}
+
+std::string format_fixed(double x, int decimals) {
+    std::string text = fmt::format("{:.{}f}", x, decimals);
+    if (text.find('.') != std::string::npos) {
+        text.erase(text.find_last_not_of('0') + 1);
+        if (text.back() == '.') text.pop_back();
+    }
+    return text == "-0" ? "0" : text;
+}
+
+std::string_view trimmed(std::string_view text) {
+    const std::string_view blanks = " \t\r\n\f\v";
+    const std::size_t first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::optional<double> parse_number(std::string_view text) {
+    text = without_plus(trimmed(text));
+    if (text.empty()) return std::nullopt;
+    double x = 0;
+#if defined(__cpp_lib_to_chars)
+    const char* const end = text.data() + text.size();
+    const std::from_chars_result read = std::from_chars(text.data(), end, x);
+    if (read.ptr != end) return std::nullopt;
+    if (read.ec == std::errc::result_out_of_range) return beyond_range(text);
+    if (read.ec != std::errc()) return std::nullopt;
+#else
+    // musl's strtod, which emscripten uses, knows no locale.
+    const std::string copy(text);
+    char* end = nullptr;
+    x = std::strtod(copy.c_str(), &end);
+    if (end != copy.c_str() + copy.size()) return std::nullopt;
+#endif
+    return x;
+}
+
+std::optional<long long> parse_integer(std::string_view text) {
+    text = without_plus(trimmed(text));
+    long long value = 0;
+    const char* const end = text.data() + text.size();
+    const std::from_chars_result read = std::from_chars(text.data(), end, value);
+    if (text.empty() || read.ec != std::errc() || read.ptr != end) return std::nullopt;
+    return value;
+}
+
+}  // namespace batten

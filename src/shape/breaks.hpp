@@ -1,0 +1,10 @@
+#pragma once
+
+#include <span>
+
+namespace batten {
+
+/// Throws `curve.breaks` unless there are at least two finite, strictly increasing breaks.
+void require_breaks(std::span<const double> breaks);
+
+}  // namespace batten

@@ -1,0 +1,102 @@
+#include "batten/shape/piecewise_cubic.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "batten/base/error.hpp"
+#include "shape/breaks.hpp"
+
+namespace batten {
+
+PiecewiseCubic::PiecewiseCubic(std::vector<double> block, int dim, std::vector<double> breaks,
+                               bool closed)
+    : block_(std::move(block)), breaks_(std::move(breaks)), dim_(dim), closed_(closed) {
+    require_breaks(breaks_);
+    if (dim < 1 || block_.size() != 4 * static_cast<std::size_t>(dim) * breaks_.size()) {
+        throw Error("curve.coefficients", "coefficients", std::to_string(block_.size()),
+                    "4 x dimension x breaks numbers are needed");
+    }
+    for (std::size_t i = 0; i < block_.size(); ++i) {
+        if (!std::isfinite(block_[i])) {
+            throw Error("number.overflow",
+                        "coefficient of piece " + std::to_string(i % breaks_.size()),
+                        "beyond a double", "scale the points down or spread them out");
+        }
+    }
+}
+
+PiecewiseCubic PiecewiseCubic::power(std::vector<double> block, int dim,
+                                     std::vector<double> breaks, bool closed) {
+    return {std::move(block), dim, std::move(breaks), closed};
+}
+
+PiecewiseCubic PiecewiseCubic::hermite(PointsView points, PointsView start, PointsView end,
+                                       std::vector<double> breaks, bool closed) {
+    require_breaks(breaks);
+    const std::size_t joints = breaks.size();
+    const int dim = points.dim();
+    if (points.size() != joints || start.size() + 1 != joints || end.size() + 1 != joints) {
+        throw Error("curve.coefficients", "points", std::to_string(points.size()),
+                    "as many points as breaks and one derivative pair a piece are needed");
+    }
+    std::vector<double> block(4 * static_cast<std::size_t>(dim) * joints, 0.0);
+    for (int k = 0; k < dim; ++k) {
+        const auto column = [&](int power) {
+            return block.data() + static_cast<std::size_t>(power * dim + k) * joints;
+        };
+        for (std::size_t i = 0; i < joints; ++i) column(0)[i] = points(i, k);
+        for (std::size_t i = 0; i + 1 < joints; ++i) {
+            const double h = breaks[i + 1] - breaks[i];
+            const double slope = (points(i + 1, k) - points(i, k)) / h;
+            const double d0 = start(i, k), d1 = end(i, k);
+            column(1)[i] = d0;
+            column(2)[i] = (3 * slope - 2 * d0 - d1) / h;
+            column(3)[i] = (d0 + d1 - 2 * slope) / (h * h);
+        }
+    }
+    return {std::move(block), dim, std::move(breaks), closed};
+}
+
+std::span<const double> PiecewiseCubic::coefficients(int power, int coordinate) const {
+    const std::size_t joints = breaks_.size();
+    const std::size_t column = static_cast<std::size_t>(power * dim_ + coordinate);
+    return {block_.data() + column * joints, power == 0 ? joints : joints - 1};
+}
+
+Points PiecewiseCubic::joints() const {
+    Points result(breaks_.size(), dim_);
+    for (int k = 0; k < dim_; ++k) {
+        const std::span<const double> column = coefficients(0, k);
+        for (std::size_t i = 0; i < column.size(); ++i) result(i, k) = column[i];
+    }
+    return result;
+}
+
+void PiecewiseCubic::jets_on(std::size_t piece, std::span<const double> t, int order,
+                             std::span<double> out) const {
+    const std::size_t joints = breaks_.size();
+    const std::size_t dim = static_cast<std::size_t>(dim_);
+    const std::size_t width = dim * static_cast<std::size_t>(order + 1);
+    for (std::size_t i = 0; i < t.size(); ++i) {
+        const double u = t[i] - breaks_[piece];
+        const bool at_end = t[i] == breaks_[piece + 1];
+        double* const row = out.data() + i * width;
+        for (std::size_t k = 0; k < dim; ++k) {
+            const auto c = [&](std::size_t power) {
+                return block_[(power * dim + k) * joints + piece];
+            };
+            const double c1 = c(1), c2 = c(2), c3 = c(3);
+            row[k] = at_end ? block_[k * joints + piece + 1]
+                            : c(0) + u * (c1 + u * (c2 + u * c3));
+            if (order > 0) row[dim + k] = c1 + u * (2 * c2 + u * 3 * c3);
+            if (order > 1) row[2 * dim + k] = 2 * c2 + u * 6 * c3;
+            if (order > 2) row[3 * dim + k] = 6 * c3;
+            for (std::size_t d = 4; d <= static_cast<std::size_t>(order); ++d) {
+                row[d * dim + k] = 0;
+            }
+        }
+    }
+}
+
+}  // namespace batten
