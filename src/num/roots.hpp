@@ -22,6 +22,7 @@ struct RealRoots {
 
 /// Real roots of c[0] + c[1] t + c[2] t^2. Leading zeros are allowed; the zero polynomial and
 /// non-zero constants have no roots, and a root beyond the range of double is left out.
+/// Coefficients below 1e-307 of the largest count as zero.
 ///
 /// Accuracy: a few ulps per root, since the discriminant is made with one rounding; whether a
 /// double root exists is decided on the coefficients as given.

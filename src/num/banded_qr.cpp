@@ -1,0 +1,127 @@
+#include "num/banded_qr.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "num/householder.hpp"
+
+namespace batten::num {
+
+void BandedQr::restart(BandShape shape) {
+    assert(shape.width <= shape.columns || shape.border > 0);
+    shape_ = shape;
+    front_ = 0;
+    const std::size_t row = static_cast<std::size_t>(shape.row_width());
+    rows_.assign(static_cast<std::size_t>(shape.columns) * row, 0.0);
+    work_.assign(static_cast<std::size_t>(shape.width) * row, 0.0);
+    border_.assign(static_cast<std::size_t>(shape.border) * border_stride(), 0.0);
+    products_.assign(static_cast<std::size_t>(shape.sides * shape.sides), 0.0);
+}
+
+void BandedQr::absorb(int first, double* rows, int count) {
+    assert(first >= front_);
+    emit(first - front_);
+    const std::size_t stride = static_cast<std::size_t>(shape_.row_width());
+    num::absorb({work_.data(), stride, shape_.width, shape_.row_width()}, {rows, count, stride});
+    if (shape_.border > 0) {
+        num::absorb({border_.data(), border_stride(), shape_.border,
+                     shape_.border + shape_.sides},
+                    {rows + shape_.width, count, stride});
+    }
+    leave_rest(rows, count);
+}
+
+void BandedQr::leave_rest(const double* rows, int count) {
+    const int sides = shape_.sides;
+    for (int i = 0; i < count; ++i) {
+        const double* const side = rows + offset(i) + shape_.width + shape_.border;
+        for (int a = 0; a < sides; ++a) {
+            for (int b = 0; b < sides; ++b) {
+                products_[static_cast<std::size_t>(a * sides + b)] += side[a] * side[b];
+            }
+        }
+    }
+}
+
+void BandedQr::emit(int count) {
+    const int width = shape_.width;
+    const std::size_t stride = static_cast<std::size_t>(shape_.row_width());
+    for (; count > 0; --count) {
+        std::copy(work_.begin(), work_.begin() + static_cast<std::ptrdiff_t>(stride),
+                  rows_.begin() + static_cast<std::ptrdiff_t>(offset(front_)));
+        for (int i = 0; i + 1 < width; ++i) {
+            double* const row = work_.data() + offset(i);
+            const double* const next = row + stride;
+            for (int j = 0; j + 1 < width; ++j) row[j] = next[j + 1];
+            row[width - 1] = 0;
+            std::copy(next + width, next + stride, row + width);
+        }
+        double* const last = work_.data() + offset(width - 1);
+        std::fill(last, last + stride, 0.0);
+        ++front_;
+    }
+}
+
+void BandedQr::finish() {
+    // Rows beyond the last unknown have no band part left: they belong to border and residual.
+    emit(shape_.columns - front_);
+    const std::size_t stride = static_cast<std::size_t>(shape_.row_width());
+    if (shape_.border > 0) {
+        num::absorb({border_.data(), border_stride(), shape_.border,
+                     shape_.border + shape_.sides},
+                    {work_.data() + shape_.width, shape_.width, stride});
+    }
+    leave_rest(work_.data(), shape_.width);
+}
+
+double BandedQr::scaled_pivot(int j) const {
+    double column_sq = 0, pivot = 0;
+    if (j < shape_.columns) {
+        for (int l = 0; l < shape_.width && l <= j; ++l) {
+            const double x = row(j - l)[l];
+            column_sq += x * x;
+        }
+        pivot = row(j)[0];
+    } else {
+        const int b = j - shape_.columns;
+        for (int i = 0; i < shape_.columns; ++i) {
+            const double x = row(i)[shape_.width + b];
+            column_sq += x * x;
+        }
+        for (int i = 0; i <= b; ++i) column_sq += border_row(i)[b] * border_row(i)[b];
+        pivot = border_row(b)[b];
+    }
+    return column_sq > 0 ? std::fabs(pivot) / std::sqrt(column_sq) : 0;
+}
+
+void BandedQr::solve(int side, std::span<double> out) const {
+    for (int j = 0; j < shape_.columns; ++j) {
+        out[static_cast<std::size_t>(j)] = row(j)[shape_.width + shape_.border + side];
+    }
+    for (int j = 0; j < shape_.border; ++j) {
+        out[static_cast<std::size_t>(shape_.columns + j)] = border_row(j)[shape_.border + side];
+    }
+    solve_for(out, out);
+}
+
+void BandedQr::solve_for(std::span<const double> z, std::span<double> out) const {
+    const int columns = shape_.columns;
+    double* const border = out.data() + columns;
+    for (int j = shape_.border; j-- > 0;) {
+        const double* const r = border_row(j);
+        double value = z[static_cast<std::size_t>(columns + j)];
+        for (int l = j + 1; l < shape_.border; ++l) value -= r[l] * border[l];
+        border[j] = r[j] == 0 ? 0 : value / r[j];
+    }
+    for (int j = columns; j-- > 0;) {
+        const double* const r = row(j);
+        double value = z[static_cast<std::size_t>(j)];
+        const int reach = std::min(shape_.width, columns - j);
+        for (int l = 1; l < reach; ++l) value -= r[l] * out[static_cast<std::size_t>(j + l)];
+        for (int b = 0; b < shape_.border; ++b) value -= r[shape_.width + b] * border[b];
+        out[static_cast<std::size_t>(j)] = r[0] == 0 ? 0 : value / r[0];
+    }
+}
+
+}  // namespace batten::num

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace batten::num {
+
+/// What a least-squares problem looks like: `columns` unknowns in a band, each row touching
+/// `width` neighbours, then `border` unknowns that any row may touch, and `sides` right-hand sides.
+struct BandShape {
+    int width = 1;
+    int columns = 1;
+    int border = 0;
+    int sides = 1;
+
+    int row_width() const { return width + border + sides; }
+};
+
+/// Banded least squares by orthogonal reduction, rows taken in from left to right.
+///
+/// Cost: about 4 rows x width x (width + border + sides) operations; memory columns x row_width.
+/// Accuracy: that of Householder QR, columns of any scale.
+/// Source: sequential reduction of banded problems [LawsonHanson1974, chapter 27].
+class BandedQr {
+public:
+    BandedQr() = default;
+    explicit BandedQr(BandShape shape) { restart(shape); }
+
+    /// Forgets everything; keeps the memory.
+    void restart(BandShape shape);
+    /// Takes in `rows` rows of row_width() numbers each, whose band part stands in columns
+    /// first ... first + width - 1. `first` must not fall. The rows are destroyed.
+    void absorb(int first, double* rows, int count);
+    /// To be called once, after the last row.
+    void finish();
+
+    const BandShape& shape() const { return shape_; }
+    /// Row j of the triangle: width band numbers (the diagonal first), border, sides.
+    const double* row(int j) const { return rows_.data() + offset(j); }
+    double* row(int j) { return rows_.data() + offset(j); }
+    /// Row j of the border's own triangle: border numbers, then sides.
+    const double* border_row(int j) const {
+        return border_.data() + static_cast<std::size_t>(j) * border_stride();
+    }
+
+    /// What no choice of unknowns can reach: the sides' inner products, sides x sides.
+    std::span<const double> residual_products() const { return products_; }
+
+    /// |diagonal| / |column| of unknown j (band, then border): near 0 where the rank is deficient.
+    double scaled_pivot(int j) const;
+
+    /// The unknowns (band, then border) for one side, into `out`. Unknowns with a zero pivot
+    /// become 0.
+    void solve(int side, std::span<double> out) const;
+    /// The same for a right-hand side of the triangle itself: R out = z.
+    void solve_for(std::span<const double> z, std::span<double> out) const;
+
+private:
+    std::size_t offset(int j) const {
+        return static_cast<std::size_t>(j) * static_cast<std::size_t>(shape_.row_width());
+    }
+    std::size_t border_stride() const {
+        return static_cast<std::size_t>(shape_.border + shape_.sides);
+    }
+    void emit(int count);
+    void leave_rest(const double* rows, int count);
+
+    BandShape shape_;
+    int front_ = 0;
+    std::vector<double> rows_, work_, border_, products_;
+};
+
+}  // namespace batten::num

@@ -1,0 +1,34 @@
+#include "num/cox_de_boor.hpp"
+
+#include <cassert>
+
+namespace batten::num {
+
+void basis_values(std::span<const double> knots, std::size_t span, int order, double x,
+                  double* out) {
+    basis_values_at(knots, span, order, &x, 1, out);
+}
+
+void basis_values_at(std::span<const double> knots, std::size_t span, int order, const double* x,
+                     int count, double* out) {
+    assert(order <= most_order);
+    for (int i = 0; i < count; ++i) out[i] = 1;
+    for (int level = 1; level < order; ++level) {
+        double* const last = out + level * count;
+        for (int i = 0; i < count; ++i) last[i] = 0;
+        for (int j = level - 1; j >= 0; --j) {
+            const double right = knots[span + static_cast<std::size_t>(j) + 1];
+            const double left = knots[span + static_cast<std::size_t>(j + 1 - level)];
+            const double scale = 1 / (right - left);
+            double* const here = out + j * count;
+            double* const next = here + count;
+            for (int i = 0; i < count; ++i) {
+                const double share = here[i] * scale;
+                here[i] = (right - x[i]) * share;
+                next[i] += (x[i] - left) * share;
+            }
+        }
+    }
+}
+
+}  // namespace batten::num
