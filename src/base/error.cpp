@@ -4,15 +4,13 @@
 
 namespace batten {
 
-Error::Error(std::string code, std::string place, std::string value, std::string rule)
+Error::Error(std::string code, std::string place, std::string value, std::string rule,
+             std::vector<std::size_t> rows)
     : std::runtime_error(code + ": " + place + ": " + value + ": " + rule),
       code_(std::move(code)),
       place_(std::move(place)),
       value_(std::move(value)),
-      rule_(std::move(rule)) {}
-
-Error Error::within(const std::string& prefix) const {
-    return {code_, prefix + ' ' + place_, value_, rule_};
-}
+      rule_(std::move(rule)),
+      rows_(std::move(rows)) {}
 
 }  // namespace batten

@@ -64,7 +64,7 @@ void require_finite(PointsView points) {
             if (!std::isfinite(points(i, k))) {
                 throw Error("points.not-finite",
                             "point " + std::to_string(i) + ", coordinate " + std::to_string(k),
-                            format_number(points(i, k)), "coordinates must be finite");
+                            format_number(points(i, k)), "coordinates must be finite", {i});
             }
         }
     }
@@ -95,7 +95,8 @@ void require_distinct(PointsView points, bool closed) {
         throw Error("points.repeated",
                     "points " + std::to_string(first_repeat) + " and " +
                         std::to_string((first_repeat + 1) % n),
-                    describe(points[first_repeat]), "consecutive points must differ");
+                    describe(points[first_repeat]), "consecutive points must differ",
+                    {first_repeat, (first_repeat + 1) % n});
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -17,14 +18,23 @@ std::string_view without_plus(std::string_view text) {
 }
 
 #if defined(__cpp_lib_to_chars)
+/// Stands for an exponent that no integer holds: more than any text has digits.
+constexpr long long max_shift = std::numeric_limits<long long>::max() / 2;
+
 /// What a number is that no double can hold: 0 where it is too small, inf where it is too large.
+/// That is told by the decimal place of its first digit other than 0.
 double beyond_range(std::string_view text) {
     const bool negative = text[0] == '-';
-    const std::string_view digits = text.substr(negative ? 1 : 0);
-    const bool tiny = digits.substr(0, 2) == "0." || digits[0] == '.' ||
-                      digits.find("e-") != std::string_view::npos ||
-                      digits.find("E-") != std::string_view::npos;
-    const double size = tiny ? 0 : std::numeric_limits<double>::infinity();
+    text.remove_prefix(negative ? 1 : 0);
+    const std::size_t mark = std::min(text.find_first_of("eE"), text.size());
+    const std::string_view digits = text.substr(0, mark);
+    const long long point = static_cast<long long>(std::min(digits.find('.'), digits.size()));
+    const long long first = static_cast<long long>(digits.find_first_of("123456789"));
+    const bool falls = text.substr(mark).substr(0, 2).find('-') != std::string_view::npos;
+    const long long shift = mark == text.size() ? 0
+                                                : parse_integer(text.substr(mark + 1))
+                                                      .value_or(falls ? -max_shift : max_shift);
+    const double size = point - first + shift > 0 ? std::numeric_limits<double>::infinity() : 0;
     return negative ? -size : size;
 }
 #endif

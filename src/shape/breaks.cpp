@@ -6,7 +6,7 @@
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
 
-namespace batten {
+namespace batten::knots {
 
 void require_breaks(std::span<const double> breaks) {
     if (breaks.size() < 2) {
@@ -21,4 +21,4 @@ void require_breaks(std::span<const double> breaks) {
     }
 }
 
-}  // namespace batten
+}  // namespace batten::knots

@@ -2,9 +2,9 @@
 
 #include <span>
 
-namespace batten {
+namespace batten::knots {
 
 /// Throws `curve.breaks` unless there are at least two finite, strictly increasing breaks.
 void require_breaks(std::span<const double> breaks);
 
-}  // namespace batten
+}  // namespace batten::knots

@@ -1,6 +1,9 @@
 #include "batten/shape/piecewise_cubic.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <string>
 #include <utility>
 
@@ -8,22 +11,43 @@
 #include "shape/breaks.hpp"
 
 namespace batten {
+namespace {
+
+/// Without a branch a number: adding one to an exponent of all ones carries into the sign's place.
+bool all_finite(std::span<const double> numbers) {
+    constexpr std::uint64_t exponent = 0x7ff0000000000000, one = 0x0010000000000000;
+    constexpr std::size_t lanes = 8;
+    std::uint64_t carried[lanes] = {};
+    const auto look_at = [&](std::size_t i, std::size_t lane) {
+        std::uint64_t bits;
+        std::memcpy(&bits, &numbers[i], sizeof bits);
+        carried[lane] |= (bits & exponent) + one;
+    };
+    std::size_t i = 0;
+    for (; i + lanes <= numbers.size(); i += lanes) {
+        for (std::size_t lane = 0; lane < lanes; ++lane) look_at(i + lane, lane);
+    }
+    for (; i < numbers.size(); ++i) look_at(i, 0);
+    for (const std::uint64_t lane : carried) carried[0] |= lane;
+    return carried[0] >> 63 == 0;
+}
+
+}  // namespace
 
 PiecewiseCubic::PiecewiseCubic(std::vector<double> block, int dim, std::vector<double> breaks,
                                bool closed)
     : block_(std::move(block)), breaks_(std::move(breaks)), dim_(dim), closed_(closed) {
-    require_breaks(breaks_);
+    knots::require_breaks(breaks_);
     if (dim < 1 || block_.size() != 4 * static_cast<std::size_t>(dim) * breaks_.size()) {
         throw Error("curve.coefficients", "coefficients", std::to_string(block_.size()),
                     "4 x dimension x breaks numbers are needed");
     }
-    for (std::size_t i = 0; i < block_.size(); ++i) {
-        if (!std::isfinite(block_[i])) {
-            throw Error("number.overflow",
-                        "coefficient of piece " + std::to_string(i % breaks_.size()),
-                        "beyond a double", "scale the points down or spread them out");
-        }
-    }
+    if (all_finite(block_)) return;
+    const auto is_not_finite = [](double x) { return !std::isfinite(x); };
+    const auto first = std::find_if(block_.begin(), block_.end(), is_not_finite);
+    const std::size_t piece = static_cast<std::size_t>(first - block_.begin()) % breaks_.size();
+    throw Error("number.overflow", "coefficient of piece " + std::to_string(piece),
+                "beyond a double", "scale the points down or spread them out");
 }
 
 PiecewiseCubic PiecewiseCubic::power(std::vector<double> block, int dim,
@@ -33,7 +57,7 @@ PiecewiseCubic PiecewiseCubic::power(std::vector<double> block, int dim,
 
 PiecewiseCubic PiecewiseCubic::hermite(PointsView points, PointsView start, PointsView end,
                                        std::vector<double> breaks, bool closed) {
-    require_breaks(breaks);
+    knots::require_breaks(breaks);
     const std::size_t joints = breaks.size();
     const int dim = points.dim();
     if (points.size() != joints || start.size() + 1 != joints || end.size() + 1 != joints) {
@@ -51,8 +75,8 @@ PiecewiseCubic PiecewiseCubic::hermite(PointsView points, PointsView start, Poin
             const double slope = (points(i + 1, k) - points(i, k)) / h;
             const double d0 = start(i, k), d1 = end(i, k);
             column(1)[i] = d0;
-            column(2)[i] = (3 * slope - 2 * d0 - d1) / h;
-            column(3)[i] = (d0 + d1 - 2 * slope) / (h * h);
+            column(2)[i] = (2 * (slope - d0) + (slope - d1)) / h;
+            column(3)[i] = ((d0 - slope) + (d1 - slope)) / (h * h);
         }
     }
     return {std::move(block), dim, std::move(breaks), closed};

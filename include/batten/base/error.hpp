@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace batten {
 
@@ -12,18 +15,22 @@ namespace batten {
 /// Codes are permanent; docs/errors.md lists them all.
 class Error : public std::runtime_error {
 public:
-    Error(std::string code, std::string place, std::string value, std::string rule);
+    Error(std::string code, std::string place, std::string value, std::string rule,
+          std::vector<std::size_t> rows = {});
 
     const std::string& code() const noexcept { return code_; }
     const std::string& place() const noexcept { return place_; }
     const std::string& value() const noexcept { return value_; }
     const std::string& rule() const noexcept { return rule_; }
+    /// The rows of the input that are to blame, from 0, where there are such.
+    const std::vector<std::size_t>& rows() const noexcept { return rows_; }
 
-    /// The same error seen from further out: `prefix` is put before the place.
-    Error within(const std::string& prefix) const;
+    /// The same error with its place told by somebody who knows more, such as the file's name.
+    Error at(std::string place) const { return {code_, std::move(place), value_, rule_, rows_}; }
 
 private:
     std::string code_, place_, value_, rule_;
+    std::vector<std::size_t> rows_;
 };
 
 }  // namespace batten

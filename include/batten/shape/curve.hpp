@@ -21,7 +21,7 @@ namespace batten {
 /// both one-sided limits exist at every break. Output: for each t the value, then the derivatives
 /// up to `order`, dim numbers each.
 template <class T>
-concept CurveShape = std::copy_constructible<T> &&
+concept CurveShape =
     requires(const T& c, std::size_t piece, std::span<const double> t, std::span<double> out) {
         { c.dim() } -> std::convertible_to<int>;
         { c.breaks() } -> std::convertible_to<std::span<const double>>;
@@ -33,8 +33,8 @@ concept CurveShape = std::copy_constructible<T> &&
 /// Any curve: type-erased, immutable, cheap to copy, usable from many threads.
 class Curve {
 public:
-    template <CurveShape T>
-        requires(!std::same_as<T, Curve>)
+    template <class T>
+        requires(!std::same_as<T, Curve> && CurveShape<T>)
     Curve(T shape) : model_(std::make_shared<Model<T>>(std::move(shape))) {}
 
     int dim() const { return model_->dim(); }

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+
+#include "batten/shape/curve.hpp"
+#include "batten/shape/piecewise_cubic.hpp"
+
+namespace batten {
+
+/// The same points in the opposite direction, over the same domain: t becomes lo + hi - t.
+Curve reversed(const Curve& curve);
+
+/// All coordinates times `factor`. Throws `curve.scale` unless it is finite and not 0.
+Curve scaled(const Curve& curve, double factor);
+
+/// `curve` as cubic pieces over the same breaks, if all its pieces are polynomials of degree 3 or
+/// less: the Taylor coefficients at each piece's start, so exact to rounding.
+std::optional<PiecewiseCubic> exact_cubic(const Curve& curve);
+
+}  // namespace batten

@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+#include "batten/shape/spline_function.hpp"
+
+/// Many abscissae at once: runs of one piece with its coefficients in registers.
+namespace batten {
+namespace {
+
+constexpr int most_order = 26;
+using Coefficients = std::array<double, most_order>;
+
+/// How many abscissae from `first` on lie in [lo, hi).
+std::size_t run_length(std::span<const double> x, std::size_t first, Interval piece) {
+    std::size_t n = 1;
+    const std::size_t rest = x.size() - first;
+    while (n < rest && piece.lo <= x[first + n] && x[first + n] < piece.hi) ++n;
+    return n;
+}
+
+template <int Degree>
+void horner(const Coefficients& c, double origin, std::span<const double> x, double* out) {
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const double u = x[i] - origin;
+        double sum = c[Degree];
+        for (int j = Degree; j-- > 0;) sum = sum * u + c[j];
+        out[i] = sum;
+    }
+}
+
+void horner_any(const Coefficients& c, int degree, double origin, std::span<const double> x,
+                double* out) {
+    switch (degree) {
+        case 0: return horner<0>(c, origin, x, out);
+        case 1: return horner<1>(c, origin, x, out);
+        case 2: return horner<2>(c, origin, x, out);
+        case 3: return horner<3>(c, origin, x, out);
+        case 4: return horner<4>(c, origin, x, out);
+        case 5: return horner<5>(c, origin, x, out);
+        default: break;
+    }
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const double u = x[i] - origin;
+        double sum = c[degree];
+        for (int j = degree; j-- > 0;) sum = sum * u + c[j];
+        out[i] = sum;
+    }
+}
+
+}  // namespace
+
+void SplineFunction::evaluate(std::span<const double> x, int derivative,
+                              std::span<double> out) const {
+    assert(out.size() >= x.size() && derivative >= 0);
+    const int degree = degree_ - derivative;
+    if (degree < 0) {
+        std::fill_n(out.begin(), x.size(), 0.0);
+        return;
+    }
+    Coefficients factor{}, c{};
+    for (int j = 0; j <= degree; ++j) {
+        factor[j] = 1;
+        for (int r = 0; r < derivative; ++r) factor[j] *= j + derivative - r;
+    }
+    const std::size_t stride = pieces();
+    for (std::size_t first = 0; first < x.size();) {
+        const std::size_t piece = piece_of(x[first]);
+        for (int j = 0; j <= degree; ++j) {
+            c[j] = factor[j] * power_[static_cast<std::size_t>(j + derivative) * stride + piece];
+        }
+        const std::size_t n = run_length(x, first, {breaks_[piece], breaks_[piece + 1]});
+        horner_any(c, degree, breaks_[piece], x.subspan(first, n), out.data() + first);
+        first += n;
+    }
+}
+
+void SplineFunction::evaluate_jets(std::span<const double> x, std::span<double> value,
+                                   std::span<double> first_out,
+                                   std::span<double> second_out) const {
+    Coefficients c{};
+    const std::size_t stride = pieces();
+    for (std::size_t first = 0; first < x.size();) {
+        const std::size_t piece = piece_of(x[first]);
+        for (int j = 0; j <= degree_; ++j) c[j] = power_[static_cast<std::size_t>(j) * stride + piece];
+        const double origin = breaks_[piece];
+        const std::size_t last =
+            first + run_length(x, first, {origin, breaks_[piece + 1]});
+        for (; first < last; ++first) {
+            const double u = x[first] - origin;
+            double y = c[degree_], slope = 0, half_second = 0;
+            for (int j = degree_; j-- > 0;) {
+                half_second = half_second * u + slope;
+                slope = slope * u + y;
+                y = y * u + c[j];
+            }
+            value[first] = y;
+            first_out[first] = slope;
+            second_out[first] = 2 * half_second;
+        }
+    }
+}
+
+}  // namespace batten
