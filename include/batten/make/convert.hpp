@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "batten/base/fields.hpp"
+#include "batten/base/tolerance.hpp"
+#include "batten/shape/curve.hpp"
+#include "batten/shape/piecewise_cubic.hpp"
+
+namespace batten {
+
+/// What a curve can be turned into.
+enum class Form {
+    same,      ///< as it is
+    cubic,     ///< cubic pieces; exact where the pieces are polynomials of degree 3 or less
+    polyline,  ///< straight pieces
+};
+
+constexpr std::array<Named<Form>, 3> names_of(Form) {
+    return {{{"same", Form::same}, {"cubic", Form::cubic}, {"polyline", Form::polyline}}};
+}
+
+struct ConvertOptions {
+    Form as = Form::same;
+    Tolerance tolerance = relative(1e-6);
+    bool reverse = false;
+    std::optional<Interval> trim;
+    std::optional<double> scale;
+};
+
+template <class Options, class Visit>
+    requires std::same_as<std::remove_const_t<Options>, ConvertOptions>
+void visit_fields(Options& o, Visit&& visit) {
+    visit("as", o.as, anything, "the form to turn the curve into");
+    visit("tolerance", o.tolerance, more_than(0),
+          "largest distance of the new form from the curve; 1e-6r is relative to its extent");
+    visit("reverse", o.reverse, anything, "run through the points in the opposite direction");
+    visit("trim", o.trim, anything, "keep the part between these two parameters");
+    visit("scale", o.scale, anything, "multiply all coordinates by this number");
+}
+
+struct ConvertReport {
+    double max_error = 0;
+    std::size_t pieces = 0;
+    Status status = Status::met;
+};
+
+template <class Visit>
+void visit_fields(const ConvertReport& r, Visit&& visit) {
+    visit("max_error", r.max_error, "largest distance of the new form from the curve");
+    visit("pieces", r.pieces, "number of pieces of the result");
+}
+
+struct Conversion {
+    Curve curve;
+    ConvertReport report;
+};
+
+/// Trims, then reverses, then scales, then changes the form of `curve`.
+///
+/// `max_error` is measured at 16 parameters of each new piece, same parameter against same
+/// parameter, so it bounds the distance from above at those places.
+/// Throws `curve.outside`, `curve.part-empty`, `curve.scale`, `option.range` for a tolerance that
+/// is not above 0.
+Conversion convert(const Curve& curve, const ConvertOptions& options);
+
+/// `curve` as cubic pieces: exact (Taylor) where degree() <= 3, else Hermite pieces halved until
+/// they are within `tolerance` (data units). Cost: 5 evaluations a piece tried.
+PiecewiseCubic to_piecewise_cubic(const Curve& curve, double tolerance);
+
+/// The vertices of a polyline within `tolerance` (data units) of `curve`, its joints among them.
+Points to_polyline(const Curve& curve, double tolerance);
+
+}  // namespace batten

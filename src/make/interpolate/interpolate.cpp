@@ -1,0 +1,42 @@
+#include "batten/make/interpolate.hpp"
+
+#include <utility>
+
+#include "make/interpolate/build.hpp"
+#include "make/interpolate/report.hpp"
+
+namespace batten {
+namespace {
+
+Curve part_of(PiecewiseCubic curve, const InterpolateOptions& options) {
+    if (options.part) return interpolation::between_joints(curve, *options.part);
+    return curve;
+}
+
+}  // namespace
+
+Interpolation interpolate(PointsView points, const InterpolateOptions& options) {
+    using interpolation::Side;
+    interpolation::Request request = interpolation::checked(points, options);
+    interpolation::Built built = interpolation::built(request, options);
+    Interpolation result{part_of(std::move(built.curve), options), {}};
+    InterpolateReport& report = result.report;
+    report.status = built.status;
+    report.notes = std::move(request.notes);
+    for (std::string& note : built.notes) report.notes.push_back(std::move(note));
+    interpolation::add_measures(result.curve, report);
+    if (result.curve.dim() == 2) {
+        report.tangent_angles = interpolation::joint_angles(result.curve, Side::leaving);
+        if (!options.corner.empty()) {
+            report.tangent_angles_in = interpolation::joint_angles(result.curve, Side::arriving);
+        }
+    }
+    return result;
+}
+
+Curve curve_through(PointsView points, const InterpolateOptions& options) {
+    return part_of(interpolation::built(interpolation::checked(points, options), options).curve,
+                   options);
+}
+
+}  // namespace batten
