@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+
+#include "batten/base/value.hpp"
+#include "batten/io/files.hpp"
+#include "batten/shape/curve.hpp"
+
+namespace batten {
+
+/// The tree of a `batten.curve/1` file, as docs/formats.md describes it: every number of the curve,
+/// exact.
+///
+/// Piecewise cubics and B-splines keep their kind; any other curve whose pieces are polynomials of
+/// degree 3 or less is written as piecewise cubics by its derivatives at the starts of the pieces.
+/// Throws `curve.not-exact` for all others, `number.overflow` where a coefficient is beyond a
+/// double. `name` is free text for people.
+///
+/// Law: curve_of(curve_value(c)) is c, bit for bit.
+Value curve_value(const Curve& curve, const std::string& name = {});
+
+/// The curve that such a tree describes; `place` is what errors call it. Entries it does not know
+/// are ignored.
+///
+/// Throws `curve.format`, `curve.kind`, `curve.entry` (an entry is missing or of the wrong type or
+/// size), `curve.breaks`, and for B-splines what BSplineBasis and BSplineCurve throw.
+Curve curve_of(const Value& tree, const std::string& place);
+
+/// The curve in `source`: a `batten.curve/1` file, the first path of an SVG picture, or bare SVG
+/// path data. Pure. Throws what parse_json, curve_of and parse_svg_path throw; `svg.no-path`;
+/// `file.empty`; `curve.format` where it is none of the three.
+Curve parse_curve(const Source& source);
+
+/// The curve in a file (`-` is standard input).
+Curve read_curve(const std::string& path);
+
+/// Whether parse_curve is the reader for this source, rather than parse_table.
+bool holds_curve(const Source& source);
+
+}  // namespace batten

@@ -1,0 +1,63 @@
+#include "io/draw/layers/swatch.hpp"
+
+#include "io/draw/layers/marks.hpp"
+
+namespace batten::drawing {
+namespace {
+
+/// How a layer looks in the legend, from `left` to the right.
+struct Swatch {
+    Scene& scene;
+    Pixel left;
+    Tone tone;
+
+    Pixel at(double share, double up) const { return left + Pixel{share * swatch_width, -up}; }
+
+    void line(Paint paint, double up = 0) {
+        Path path;
+        path.move_to(at(0, up));
+        path.line_to(at(1, up));
+        scene.add(PathShape{path, paint});
+    }
+
+    void strokes(int gaps, Paint paint) {
+        Path path;
+        for (int i = 0; i <= gaps; ++i) {
+            path.move_to(at(1.0 * i / gaps, -4));
+            path.line_to(at(1.0 * i / gaps, 4));
+        }
+        scene.add(PathShape{path, paint});
+    }
+
+    void operator()(const CurveLayer& layer) { line(line_paint(layer.line, tone)); }
+    void operator()(const PolylineLayer& layer) { line(line_paint(layer.line, tone)); }
+    void operator()(const PointsLayer& layer) {
+        scene.add(DotsShape{{at(0.5, 0)}, 3, dot_paint(layer.marker, tone, 3)});
+    }
+    void operator()(const ControlPolygonLayer&) {
+        line(leg_paint(tone));
+        Path squares;
+        for (const double share : {0.2, 0.8}) add_square(squares, at(share, 0), handle_half);
+        scene.add(PathShape{squares, handle_paint(tone)});
+    }
+    void operator()(const CombLayer&) {
+        strokes(4, tooth_paint(tone));
+        line(envelope_paint(tone), 4);
+    }
+    void operator()(const ArrowsLayer&) {
+        ArrowMarks arrows;
+        arrows.add(left, {swatch_width, 0});
+        arrows.draw(scene, tone);
+    }
+    void operator()(const TicksLayer&) { strokes(2, tick_paint(tone)); }
+    void operator()(const TextLayer&) {}
+};
+
+}  // namespace
+
+void draw_swatch(Scene& scene, const LegendPlace& place) {
+    std::visit(Swatch{scene, place.at - Pixel{8 + swatch_width, 4}, place.layer->tone},
+               *place.layer->layer);
+}
+
+}  // namespace batten::drawing

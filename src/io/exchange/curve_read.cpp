@@ -1,0 +1,252 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "batten/base/error.hpp"
+#include "batten/base/text.hpp"
+#include "batten/io/curve_file.hpp"
+#include "batten/io/json.hpp"
+#include "batten/io/svg_path.hpp"
+#include "batten/shape/bspline.hpp"
+#include "io/tables/utf8.hpp"
+
+namespace batten {
+namespace {
+
+constexpr const char* format_name = "batten.curve/1";
+
+std::string shown(const Value* value) {
+    if (!value) return "missing";
+    if (const std::string* text = value->text()) return shown_text(*text);
+    if (const ValueList* list = value->list()) {
+        return "a list of " + std::to_string(list->size());
+    }
+    return value->map() ? "a map" : dump_json(*value, JsonStyle::one_line);
+}
+
+/// The entries of a curve's map, with errors that name them.
+class Entries {
+public:
+    Entries(const Value& tree, std::string place) : tree_(tree), place_(std::move(place)) {}
+
+    std::string place(const std::string& entry) const { return place_ + ", entry " + entry; }
+
+    bool has(const char* key) const { return tree_.find(key) != nullptr; }
+
+    bool truth(const char* key) const {
+        const Value* value = tree_.find(key);
+        if (!value) return false;
+        if (!value->truth()) throw wrong(key, value, "true or false is needed here");
+        return *value->truth();
+    }
+    int whole(const char* key) const {
+        const Value* value = tree_.find(key);
+        const long long* number = value ? value->integer() : nullptr;
+        if (!number || *number < 0 || *number > 1'000'000) {
+            throw wrong(key, value, "a whole number is needed here");
+        }
+        return static_cast<int>(*number);
+    }
+    const ValueList& list(const char* key) const {
+        const Value* value = tree_.find(key);
+        if (!value || !value->list()) throw wrong(key, value, "a list is needed here");
+        return *value->list();
+    }
+    std::vector<double> numbers(const char* key) const {
+        std::vector<double> result;
+        for (const Value& value : list(key)) {
+            if (!value.is_number()) throw wrong(at(key, result.size()), &value, number_rule);
+            result.push_back(value.number());
+        }
+        return result;
+    }
+    /// Appends `count` numbers from the list `value`, which stands at `entry`.
+    void append_row(std::vector<double>& to, const Value& value, std::size_t count,
+                    const std::string& entry) const {
+        const ValueList* row = value.list();
+        if (!row || row->size() != count) {
+            throw wrong(entry, &value,
+                        "a list of " + std::to_string(count) + " numbers is needed here");
+        }
+        for (const Value& cell : *row) {
+            if (!cell.is_number()) throw wrong(entry, &cell, number_rule);
+            to.push_back(cell.number());
+        }
+    }
+    /// Rows of the curve's dimension.
+    Points points(const char* key) const {
+        const ValueList& rows = list(key);
+        const ValueList* first = rows.empty() ? nullptr : rows[0].list();
+        const std::size_t stated = has("dimension") ? static_cast<std::size_t>(whole("dimension"))
+                                   : first          ? first->size()
+                                                    : 0;
+        if (rows.empty() || stated == 0) {
+            throw wrong(key, tree_.find(key), "a list of points [x, y, ...] is needed here");
+        }
+        std::vector<double> values;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            append_row(values, rows[i], stated, at(key, i));
+        }
+        return {std::move(values), static_cast<int>(stated)};
+    }
+
+    static std::string at(const std::string& key, std::size_t index) {
+        return key + '[' + std::to_string(index) + ']';
+    }
+    Error wrong(const std::string& entry, const Value* value, std::string rule) const {
+        return {"curve.entry", place(entry), shown(value), std::move(rule)};
+    }
+
+private:
+    static constexpr const char* number_rule = "a number is needed here";
+
+    const Value& tree_;
+    std::string place_;
+};
+
+void require_size(const Entries& entries, const char* key, std::size_t size, std::size_t needed) {
+    if (size == needed) return;
+    throw Error("curve.entry", entries.place(key), "a list of " + std::to_string(size),
+                std::to_string(needed) + " entries are needed here");
+}
+
+/// Rounding leaves far less between a piece's end and the next point, or a closed curve's ends.
+constexpr double largest_gap = 1e-6;
+
+/// Throws where a piece does not end at the next point.
+void require_joined(const PiecewiseCubic& curve, const Entries& entries) {
+    for (std::size_t i = 0; i < curve.pieces(); ++i) {
+        const double h = curve.breaks()[i + 1] - curve.breaks()[i];
+        for (int k = 0; k < curve.dim(); ++k) {
+            const auto c = [&](int power) { return curve.coefficients(power, k)[i]; };
+            const double next = curve.coefficients(0, k)[i + 1];
+            const double terms[] = {c(0), c(1) * h, c(2) * h * h, c(3) * h * h * h, -next};
+            double gap = 0, size = 0;
+            for (const double term : terms) {
+                gap += term;
+                size = std::max(size, std::fabs(term));
+            }
+            const std::string place = entries.place(Entries::at("coefficients", i));
+            if (!std::isfinite(gap) || !std::isfinite(size)) {
+                throw Error("number.overflow", place, "beyond a double",
+                            "the curve must lie within the range of a double");
+            }
+            if (std::fabs(gap) > largest_gap * size) {
+                throw Error("curve.gap", place, "a gap of " + format_number(std::fabs(gap)),
+                            "a piece must end at the next point");
+            }
+        }
+    }
+}
+
+void require_closed(PointsView points, const std::string& place) {
+    const std::size_t last = points.size() - 1;
+    for (int k = 0; k < points.dim(); ++k) {
+        if (!(std::fabs(points(last, k) - points(0, k)) <= largest_gap * extent(points))) {
+            throw Error("curve.gap", place, "other ends",
+                        "a closed curve must end where it starts");
+        }
+    }
+}
+
+Curve read_cubic(const Entries& entries) {
+    const Points points = entries.points("points");
+    const std::size_t joints = points.size(), dim = static_cast<std::size_t>(points.dim());
+    std::vector<double> breaks = entries.numbers("breaks");
+    require_size(entries, "breaks", breaks.size(), joints);
+    const ValueList& pieces = entries.list("coefficients");
+    require_size(entries, "coefficients", pieces.size(), joints - 1);
+    std::vector<double> block(4 * dim * joints, 0.0);
+    for (std::size_t i = 0; i < joints; ++i) {
+        for (std::size_t k = 0; k < dim; ++k) block[k * joints + i] = points[i][k];
+    }
+    std::vector<double> row;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const std::string entry = Entries::at("coefficients", i);
+        const ValueList* powers = pieces[i].list();
+        if (!powers || powers->size() != 3) {
+            throw entries.wrong(entry, &pieces[i], "a list of 3 lists is needed here");
+        }
+        row.clear();
+        for (const Value& power : *powers) entries.append_row(row, power, dim, entry);
+        for (std::size_t j = 0; j < row.size(); ++j) block[(dim + j) * joints + i] = row[j];
+    }
+    const bool closed = entries.truth("closed");
+    PiecewiseCubic curve = PiecewiseCubic::power(std::move(block), points.dim(),
+                                                 std::move(breaks), closed);
+    require_joined(curve, entries);
+    if (closed) require_closed(points, entries.place("points"));
+    return curve;
+}
+
+Curve read_bspline(const Entries& entries) {
+    const Points points = entries.points("control_points");
+    const int degree = entries.whole("degree");
+    std::vector<double> knots = entries.numbers("knots");
+    BSplineBasis basis = entries.truth("closed") ? BSplineBasis::periodic(knots, degree)
+                                                 : BSplineBasis(std::move(knots), degree);
+    std::vector<double> weights;
+    if (entries.has("weights")) {
+        weights = entries.numbers("weights");
+        require_size(entries, "weights", weights.size(), points.size());
+    }
+    return BSplineCurve(std::move(basis), points, std::move(weights));
+}
+
+Error wrong_format(const std::string& place, std::string value) {
+    return {"curve.format", place, std::move(value),
+            std::string("a curve is a map with \"format\": \"") + format_name +
+                "\", an SVG picture or SVG path data"};
+}
+
+}  // namespace
+
+Curve curve_of(const Value& tree, const std::string& place) {
+    const Value* format = tree.find("format");
+    if (!tree.map()) throw wrong_format(place, shown(&tree));
+    if (!format || !format->text() || *format->text() != format_name) {
+        throw wrong_format(place + ", entry format", shown(format));
+    }
+    const Entries entries(tree, place);
+    const Value* kind = tree.find("kind");
+    const std::string name = kind && kind->text() ? *kind->text() : std::string();
+    try {
+        if (name == "piecewise-cubic") return read_cubic(entries);
+        if (name == "b-spline") return read_bspline(entries);
+    } catch (const Error& error) {
+        const bool is_placed = error.place().rfind(place, 0) == 0;
+        throw is_placed ? error : error.at(place + ", " + error.place());
+    }
+    throw Error("curve.kind", entries.place("kind"), shown(kind),
+                "piecewise-cubic or b-spline is needed here");
+}
+
+Curve parse_curve(const Source& source) {
+    const std::string_view text = trimmed(without_byte_order_mark(source.bytes));
+    if (text.empty()) {
+        throw Error("file.empty", source.name, "no curve", "the file must hold a curve");
+    }
+    if (text[0] == '{') return curve_of(parse_json(source.bytes, source.name), source.name);
+    if (text[0] == '<') return parse_svg_path(first_svg_path(text, source.name), source.name);
+    if (text[0] == 'M' || text[0] == 'm') return parse_svg_path(text, source.name);
+    throw wrong_format(source.name, shown_character(text[0]));
+}
+
+Curve read_curve(const std::string& path) { return parse_curve(read_source(path)); }
+
+bool holds_curve(const Source& source) {
+    const std::string suffix = suffix_of(source.name);
+    if (suffix == "svg") return true;
+    for (const char* table : {"csv", "tsv", "txt", "dat", "npy"}) {
+        if (suffix == table) return false;
+    }
+    const std::string_view text = trimmed(without_byte_order_mark(source.bytes));
+    if (text.empty()) return false;
+    if (text[0] == '{' || text[0] == '<') return true;
+    // Path data, and not a header: nothing but its own letters.
+    return (text[0] == 'M' || text[0] == 'm') && text.size() > 1 &&
+           text.find_first_not_of("MmLlHhVvCcSsQqTtAaZzEe0123456789+-., \t\r\n") ==
+               std::string_view::npos;
+}
+
+}  // namespace batten

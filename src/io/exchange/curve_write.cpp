@@ -1,0 +1,88 @@
+#include <optional>
+
+#include "batten/base/error.hpp"
+#include "batten/io/curve_file.hpp"
+#include "batten/shape/bspline.hpp"
+#include "batten/shape/transform.hpp"
+
+namespace batten {
+namespace {
+
+Value numbers(std::span<const double> row) { return ValueList(row.begin(), row.end()); }
+
+Value rows(PointsView points) {
+    ValueList list;
+    for (std::size_t i = 0; i < points.size(); ++i) list.emplace_back(numbers(points[i]));
+    return list;
+}
+
+ValueMap heading(const char* kind, const std::string& name) {
+    ValueMap map{{"format", "batten.curve/1"}, {"kind", kind}};
+    if (!name.empty()) map.emplace_back("name", name);
+    return map;
+}
+
+Value cubic_value(const PiecewiseCubic& curve, const std::string& name) {
+    ValueMap map = heading("piecewise-cubic", name);
+    map.emplace_back("dimension", curve.dim());
+    map.emplace_back("closed", curve.is_closed());
+    map.emplace_back("breaks", numbers(curve.breaks()));
+    map.emplace_back("points", rows(curve.joints()));
+    ValueList pieces;
+    for (std::size_t i = 0; i < curve.pieces(); ++i) {
+        ValueList powers;
+        for (int power = 1; power <= 3; ++power) {
+            ValueList vector;
+            for (int k = 0; k < curve.dim(); ++k) {
+                vector.emplace_back(curve.coefficients(power, k)[i]);
+            }
+            powers.emplace_back(std::move(vector));
+        }
+        pieces.emplace_back(std::move(powers));
+    }
+    map.emplace_back("coefficients", std::move(pieces));
+    return map;
+}
+
+/// A closed curve lists the knots of one period as BSplineBasis::periodic takes them: the start as
+/// often as it stands, the end once. In knots() the last of the starts begins the period, and the
+/// others stand at its end.
+std::vector<double> listed_knots(const BSplineBasis& basis) {
+    std::vector<double> knots(basis.knots().begin(), basis.knots().end());
+    if (!basis.is_periodic()) return knots;
+    const std::ptrdiff_t margin = basis.degree();
+    knots = {knots.begin() + margin, knots.end() - margin};
+    const double start = knots.front(), end = knots.back();
+    while (knots[knots.size() - 2] == end) {
+        knots.pop_back();
+        knots.insert(knots.begin(), start);
+    }
+    return knots;
+}
+
+Value bspline_value(const BSplineCurve& curve, const std::string& name) {
+    ValueMap map = heading("b-spline", name);
+    map.emplace_back("dimension", curve.dim());
+    map.emplace_back("closed", curve.is_closed());
+    map.emplace_back("degree", curve.basis().degree());
+    map.emplace_back("knots", numbers(listed_knots(curve.basis())));
+    map.emplace_back("control_points", rows(curve.control_points()));
+    if (curve.is_rational()) map.emplace_back("weights", numbers(curve.weights()));
+    return map;
+}
+
+}  // namespace
+
+Value curve_value(const Curve& curve, const std::string& name) {
+    if (const BSplineCurve* bspline = curve.shape<BSplineCurve>()) {
+        return bspline_value(*bspline, name);
+    }
+    if (const std::optional<PiecewiseCubic> cubic = exact_cubic(curve)) {
+        return cubic_value(*cubic, name);
+    }
+    throw Error("curve.not-exact", "curve",
+                curve.degree() ? "degree " + std::to_string(*curve.degree()) : "no polynomial",
+                "this curve has no exact file form: convert it to cubic pieces first");
+}
+
+}  // namespace batten
