@@ -1,0 +1,104 @@
+#include "inputs.hpp"
+
+#include <algorithm>
+
+#include "batten/base/error.hpp"
+#include "batten/base/text.hpp"
+#include "batten/io/curve_file.hpp"
+#include "batten/io/files.hpp"
+#include "batten/io/table.hpp"
+
+namespace batten::cli {
+namespace {
+
+Input read_input(const std::string& path, const Command& command) {
+    const Source source = read_source(path);
+    const InputKind kind = command.operation->input;
+    const bool is_curve = holds_curve(source);
+    if (kind == InputKind::points && is_curve) {
+        throw Error("input.kind", source.name, "a curve",
+                    std::string(command.operation->name) + " takes points");
+    }
+    if (kind == InputKind::curve && !is_curve) {
+        // Read it all the same: what is wrong with the file comes before what it is for.
+        parse_table(source);
+        throw Error("input.kind", source.name, "points",
+                    std::string(command.operation->name) +
+                        " takes a curve; `batten interpolate` makes one");
+    }
+    if (is_curve) return {source.name, parse_curve(source)};
+    const Table table = parse_table(source);
+    return {source.name, PointsInput{table, coordinate_columns(table, command.columns)}};
+}
+
+/// A list of numbers as typed, or nothing where the text is something else.
+bool is_list(const std::string& text) {
+    std::size_t start = 0;
+    while (start <= text.size()) {
+        const std::size_t end = std::min(text.find(',', start), text.size());
+        if (!parse_number(std::string_view(text).substr(start, end - start))) return false;
+        start = end + 1;
+    }
+    return true;
+}
+
+bool is_choice(const Field& field, const std::string& text) {
+    return std::find(field.choices.begin(), field.choices.end(), text) != field.choices.end();
+}
+
+/// Whether a sibling list `x_values` stands beside the choice `x`.
+bool takes_column(const Operation& operation, const Field& field) {
+    return std::any_of(operation.fields.begin(), operation.fields.end(), [&](const Field& other) {
+        return other.name == field.name + "_values";
+    });
+}
+
+Argument read_shape(const std::string& path) {
+    const Source source = read_source(path);
+    if (holds_curve(source)) return parse_curve(source);
+    const Table table = parse_table(source);
+    return points_of(table, coordinate_columns(table));
+}
+
+Argument read_numbers(const std::string& path) {
+    const Table table = read_table(path);
+    return table.columns() == 1 ? Argument(column_values(table, 0))
+                                : Argument(points_of(table, coordinate_columns(table)));
+}
+
+Argument argument_of(const Command& command, const Field& field, const std::string& text,
+                     const std::vector<Input>& inputs) {
+    switch (field.kind) {
+        case FieldKind::shape: return read_shape(text);
+        case FieldKind::table: return read_numbers(text);
+        case FieldKind::list:
+            if (field.takes_file && !is_list(text)) return read_numbers(text);
+            return text;
+        case FieldKind::choice:
+            if (!is_choice(field, text) && takes_column(*command.operation, field)) {
+                if (const auto* points = std::get_if<PointsInput>(&inputs.front().content)) {
+                    return column_values(points->table, column_index(points->table, text));
+                }
+            }
+            return text;
+        default: return text;
+    }
+}
+
+}  // namespace
+
+std::vector<Input> read_inputs(const Command& command) {
+    std::vector<Input> inputs;
+    for (const std::string& path : command.inputs) inputs.push_back(read_input(path, command));
+    return inputs;
+}
+
+std::vector<Setting> read_settings(const Command& command, const std::vector<Input>& inputs) {
+    std::vector<Setting> settings;
+    for (const auto& [field, text] : command.options) {
+        settings.push_back({field->name, argument_of(command, *field, text, inputs)});
+    }
+    return settings;
+}
+
+}  // namespace batten::cli

@@ -1,0 +1,117 @@
+#include "outputs.hpp"
+
+#include <unistd.h>
+
+#include <iostream>
+
+#include "batten/base/error.hpp"
+#include "batten/io/curve_file.hpp"
+#include "batten/io/files.hpp"
+#include "batten/io/json.hpp"
+#include "batten/io/svg_path.hpp"
+#include "batten/io/write_points.hpp"
+
+namespace batten::cli {
+namespace {
+
+/// Samples a piece when a curve is written as rows.
+constexpr int samples_a_piece = 16;
+
+[[noreturn]] void refuse_format(const std::string& format, const std::string& allowed) {
+    throw Error("output.format", "output", format.empty() ? "no suffix" : format,
+                "must be one of " + allowed);
+}
+
+std::vector<double> sample_parameters(const Curve& curve) {
+    const int samples = curve.degree() == 1 ? 1 : samples_a_piece;
+    std::vector<double> t;
+    for (std::size_t i = 0; i < curve.pieces(); ++i) {
+        const Interval piece = curve.piece(i);
+        for (int k = 0; k < samples; ++k) t.push_back(piece.lo + piece.length() * k / samples);
+    }
+    t.push_back(curve.domain().hi);
+    return t;
+}
+
+std::string text_of(const Curve& curve, const std::string& format) {
+    if (format == "json") return dump_json(curve_value(curve));
+    if (format == "svg") return svg_picture(curve);
+    if (format == "csv") return csv_samples(curve, sample_parameters(curve));
+    refuse_format(format, "json, svg, csv");
+}
+
+std::string text_of(const Rows& rows, const std::string& format) {
+    if (format == "csv") return csv_points(rows.cells, rows.names);
+    if (format == "json") return json_points(rows.cells);
+    if (format == "npy") return npy_points(rows.cells);
+    refuse_format(format, "csv, json, npy");
+}
+
+std::string text_of(const Drawing& drawing, const std::string& format) {
+    if (format == "svg") return svg(drawing);
+    refuse_format(format, "svg");
+}
+
+std::string report_text(const Command& command, const Outcome& outcome) {
+    return dump_json(envelope(*command.operation, outcome));
+}
+
+std::string output_text(const Command& command, const Outcome& outcome,
+                        const std::string& format) {
+    if (const Curve* curve = std::get_if<Curve>(&outcome.output)) return text_of(*curve, format);
+    if (const Rows* rows = std::get_if<Rows>(&outcome.output)) return text_of(*rows, format);
+    if (const auto* drawing = std::get_if<Drawing>(&outcome.output)) {
+        return text_of(*drawing, format);
+    }
+    if (format != "json") refuse_format(format, "json");
+    return report_text(command, outcome);
+}
+
+std::string default_format(OutputKind kind) {
+    switch (kind) {
+        case OutputKind::rows: return "csv";
+        case OutputKind::drawing: return "svg";
+        default: return "json";
+    }
+}
+
+/// A report alone is not poured over the summary that a person at a terminal reads anyway.
+bool writes_to_standard_output(const Command& command) {
+    if (!command.output.empty()) return command.output == "-";
+    if (command.operation->output != OutputKind::report) return command.report != "-";
+    return command.report.empty() && !isatty(STDOUT_FILENO);
+}
+
+}  // namespace
+
+std::vector<Written> render(const Command& command, const Outcome& outcome) {
+    std::vector<Written> all;
+    const bool to_standard = writes_to_standard_output(command);
+    if (to_standard || !command.output.empty()) {
+        std::string format = command.format;
+        if (format.empty()) {
+            format = to_standard ? default_format(command.operation->output)
+                                 : suffix_of(command.output);
+        }
+        all.push_back({to_standard ? "-" : command.output,
+                       output_text(command, outcome, format)});
+    }
+    if (!command.drawing.empty()) {
+        if (suffix_of(command.drawing) != "svg") {
+            refuse_format(suffix_of(command.drawing), "svg");
+        }
+        all.push_back({command.drawing, svg(outcome.draw())});
+    }
+    if (!command.report.empty()) all.push_back({command.report, report_text(command, outcome)});
+    return all;
+}
+
+void write(const Written& written) {
+    if (written.path == "-") {
+        std::cout << written.text << std::flush;
+    } else {
+        write_file(written.path, written.text);
+    }
+}
+
+}  // namespace batten::cli

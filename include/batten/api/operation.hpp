@@ -1,0 +1,98 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "batten/base/fields.hpp"
+#include "batten/base/points.hpp"
+#include "batten/base/value.hpp"
+#include "batten/io/draw/drawing.hpp"
+#include "batten/io/table.hpp"
+#include "batten/shape/curve.hpp"
+
+/// Every operation as one row of one table: what the faces are made from.
+namespace batten {
+
+/// What an option takes.
+enum class FieldKind { flag, number, integer, choice, text, tolerance, list, table, shape };
+
+/// One option of an operation, as its `visit_fields` describes it.
+struct Field {
+    std::string name;  ///< words joined by `_`; a face may only change the joint
+    FieldKind kind;
+    std::string takes;  ///< what to type: `NUMBER`, `I:DEGREES`, `chord|uniform`, …
+    std::string help;   ///< one sentence
+    std::string default_text;
+    Limits limits;
+    std::vector<std::string> choices;
+    bool takes_file = false;  ///< a file can be named where numbers are expected
+};
+
+/// What can be given for an option: text as a person types it, or the thing itself.
+using Argument = std::variant<std::string, std::vector<double>, Points, Curve>;
+
+struct Setting {
+    std::string name;
+    Argument value;
+};
+
+/// A table, and the columns of it that are coordinates.
+struct PointsInput {
+    Table table;
+    std::vector<int> columns;
+};
+
+/// What an operation works on.
+enum class InputKind { points, curve, points_or_curve };
+struct Input {
+    std::string name;  ///< for errors and legends: the file's name, or what the caller calls it
+    std::variant<PointsInput, Curve> content;
+};
+
+/// Rows of named columns.
+struct Rows {
+    std::vector<std::string> names;
+    Points cells;
+};
+
+/// What an operation makes: nothing but its report, a curve, rows, or a picture.
+enum class OutputKind { report, curve, rows, drawing };
+using Output = std::variant<std::monostate, Curve, Rows, Drawing>;
+
+struct Outcome {
+    Output output;
+    Status status = Status::met;
+    Value options;  ///< as understood
+    Value report;
+    std::function<Drawing()> draw;  ///< makes the picture, only when somebody wants it
+};
+
+struct Operation {
+    std::string_view name;
+    std::string_view help;  ///< one line
+    InputKind input;
+    bool many_inputs;
+    OutputKind output;
+    std::vector<Field> fields;
+    /// Runs it. Throws `Error` on bad input: `option.unknown`, `option.value`, `option.range`,
+    /// `option.choice`, `input.kind`, and whatever the operation's own header says.
+    std::function<Outcome(std::span<const Input>, const std::vector<Setting>&)> run;
+};
+
+/// All operations, in the order a person meets them.
+const std::vector<Operation>& operations();
+
+/// The operation of that name, or null.
+const Operation* find_operation(std::string_view name);
+
+/// The report's envelope: `{"batten": …, "operation": …, "status": …, "options": …, "report": …}`.
+Value envelope(const Operation& operation, const Outcome& outcome);
+
+/// The version of this library.
+std::string_view version();
+
+}  // namespace batten

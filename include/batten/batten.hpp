@@ -1,0 +1,54 @@
+#pragma once
+
+/// Batten: fair curves through points, and how good they are. The table of contents.
+
+// Numbers, points, and what can go wrong.
+#include "batten/base/error.hpp"
+#include "batten/base/fields.hpp"
+#include "batten/base/grid.hpp"
+#include "batten/base/interval.hpp"
+#include "batten/base/points.hpp"
+#include "batten/base/text.hpp"
+#include "batten/base/tolerance.hpp"
+#include "batten/base/value.hpp"
+
+// Shapes.
+#include "batten/shape/basis.hpp"
+#include "batten/shape/bspline.hpp"
+#include "batten/shape/curve.hpp"
+#include "batten/shape/jet.hpp"
+#include "batten/shape/piecewise_cubic.hpp"
+#include "batten/shape/transform.hpp"
+
+// What a curve measures, and how far it is from something.
+#include "batten/measure/area.hpp"
+#include "batten/measure/centroid.hpp"
+#include "batten/measure/compare.hpp"
+#include "batten/measure/continuity.hpp"
+#include "batten/measure/coordinate.hpp"
+#include "batten/measure/curvature.hpp"
+#include "batten/measure/deviation.hpp"
+#include "batten/measure/energy.hpp"
+#include "batten/measure/length.hpp"
+#include "batten/measure/line.hpp"
+#include "batten/measure/measure.hpp"
+#include "batten/measure/measured.hpp"
+#include "batten/measure/nearest.hpp"
+
+// Curves from points, and from other curves.
+#include "batten/make/convert.hpp"
+#include "batten/make/interpolate.hpp"
+#include "batten/make/pseudo_segment.hpp"
+
+// Reading, writing, drawing.
+#include "batten/io/curve_file.hpp"
+#include "batten/io/draw/drawing.hpp"
+#include "batten/io/draw/layers.hpp"
+#include "batten/io/files.hpp"
+#include "batten/io/json.hpp"
+#include "batten/io/svg_path.hpp"
+#include "batten/io/table.hpp"
+#include "batten/io/write_points.hpp"
+
+// Every operation as a row of one table: what the faces are made from.
+#include "batten/api/operation.hpp"

@@ -1,0 +1,83 @@
+#include "batten/io/draw/drawing.hpp"
+
+#include <concepts>
+#include <string>
+
+#include "api/row.hpp"
+
+namespace batten::api {
+namespace {
+
+struct DrawOptions {
+    bool comb = false;
+    bool control_polygon = false;
+    bool curvature = false;
+    bool index = false;
+    std::string title;
+    int width = 800;
+};
+
+template <class Options, class Visit>
+    requires std::same_as<std::remove_const_t<Options>, DrawOptions>
+void visit_fields(Options& o, Visit&& visit) {
+    visit("comb", o.comb, anything, "the curvature comb of each curve");
+    visit("control_polygon", o.control_polygon, anything, "the Bezier control points of each curve");
+    visit("curvature", o.curvature, anything, "a second panel: curvature against arc length");
+    visit("index", o.index, anything, "number the points, from 0");
+    visit("title", o.title, anything, "a line of text above the picture");
+    visit("width", o.width, between(240, 4000), "width of the picture in pixels");
+}
+
+struct DrawReport {
+    std::size_t curves = 0;
+    std::size_t points = 0;
+};
+
+template <class Visit>
+void visit_fields(const DrawReport& r, Visit&& visit) {
+    visit("curves", r.curves, "curves in the picture");
+    visit("points", r.points, "points in the picture");
+}
+
+void add_curve(Drawing& drawing, const Curve& curve, const std::string& name,
+               const DrawOptions& options) {
+    if (options.comb) drawing.add(CombLayer{curve, {}});
+    if (options.control_polygon) drawing.add(ControlPolygonLayer{curve, {}});
+    drawing.add(CurveLayer{curve, name, {}});
+}
+
+Outcome run(std::span<const Input> inputs, const DrawOptions& options) {
+    Drawing drawing;
+    drawing.title = options.title;
+    drawing.width = options.width;
+    std::vector<Panel> plots;
+    DrawReport report;
+    const auto legend = [&](const Input& input) { return inputs.size() > 1 ? input.name : ""; };
+    for (const Input& input : inputs) {
+        if (const Curve* curve = std::get_if<Curve>(&input.content)) {
+            add_curve(drawing, *curve, legend(input), options);
+            if (options.curvature) plots.push_back(curvature_plot(*curve, legend(input)));
+            ++report.curves;
+        }
+    }
+    for (const Input& input : inputs) {
+        if (const auto* table = std::get_if<PointsInput>(&input.content)) {
+            const Points points = points_of(*table);
+            report.points += points.size();
+            drawing.add(PointsLayer{points, legend(input), Marker::open, {},
+                                    options.index ? PointLabels::index : PointLabels::none});
+        }
+    }
+    for (Panel& plot : plots) drawing.panels.push_back(std::move(plot));
+    return {drawing, Status::met, {}, report_value(report), [drawing] { return drawing; }};
+}
+
+}  // namespace
+
+Operation draw_row() {
+    return row<DrawOptions>({"draw", "a picture of points and curves", InputKind::points_or_curve,
+                             OutputKind::drawing, true},
+                            run);
+}
+
+}  // namespace batten::api

@@ -1,0 +1,47 @@
+#include "api/row.hpp"
+
+#include <string>
+
+#include "batten/base/error.hpp"
+#include "batten/io/table.hpp"
+
+namespace batten::api {
+namespace {
+
+const Input& single(std::span<const Input> inputs) {
+    if (inputs.size() != 1) {
+        throw Error("input.count", "input", std::to_string(inputs.size()),
+                    "this operation takes one input");
+    }
+    return inputs.front();
+}
+
+}  // namespace
+
+const Curve& curve_input(std::span<const Input> inputs) {
+    const Curve* curve = std::get_if<Curve>(&single(inputs).content);
+    if (!curve) throw Error("input.kind", "input", "points", "this operation takes a curve");
+    return *curve;
+}
+
+const PointsInput& points_input(std::span<const Input> inputs) {
+    const PointsInput* points = std::get_if<PointsInput>(&single(inputs).content);
+    if (!points) throw Error("input.kind", "input", "a curve", "this operation takes points");
+    return *points;
+}
+
+Points points_of(const PointsInput& input) { return batten::points_of(input.table, input.columns); }
+
+Error with_lines(const Error& error, const PointsInput& input) {
+    if (error.code().rfind("points.", 0) != 0) return error;
+    if (error.rows().empty()) return error.at(input.table.source);
+    std::string place = input.table.source;
+    if (input.table.line_of_row.empty()) return error.at(place + ' ' + error.place());
+    place += error.rows().size() > 1 ? " rows" : " row";
+    for (std::size_t i = 0; i < error.rows().size(); ++i) {
+        place += (i > 0 ? " and " : " ") + std::to_string(input.table.line_of_row[error.rows()[i]]);
+    }
+    return error.at(place);
+}
+
+}  // namespace batten::api
