@@ -1,0 +1,54 @@
+# The everyday commands; CMakePresets.json says what each build is. `make help` lists them.
+SHELL := /bin/bash
+.SHELLFLAGS := -euo pipefail -c
+JOBS ?= $(shell nproc)
+# How many seconds `make fuzz` runs in all.
+FUZZ_SECONDS ?= 60
+
+configure = cmake --preset $(1) > build/$(1).log || { cat build/$(1).log; exit 1; }
+compile = mkdir -p build && $(call configure,$(1)) && \
+	cmake --build build/$(1) -j $(JOBS) --target $(or $(2),all)
+run_tests = ctest --test-dir build/$(1) -j $(JOBS) --output-on-failure
+
+.PHONY: help build demo test asan tsan clang fuzz wasm clean
+help: ## list these commands
+	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "make %-7s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+
+build: ## build the library and the command, build/release/bin/batten
+	@./setup.sh core test
+	@$(call compile,release,product)
+
+demo: build ## draw fair curves through real data, into build/demo
+	@tools/demo.sh
+
+test: ## run all tests
+	@./setup.sh core test
+	@$(call compile,release)
+	@$(call run_tests,release)
+
+asan: ## run all tests under the address and undefined-behaviour sanitizers
+	@./setup.sh core test
+	@$(call compile,asan)
+	@$(call run_tests,asan)
+
+tsan: ## run all tests under the thread sanitizer
+	@./setup.sh core test
+	@$(call compile,tsan)
+	@$(call run_tests,tsan)
+
+clang: ## build with clang++ and run the tests against known values
+	@./setup.sh core test clang
+	@$(call compile,clang)
+	@$(call run_tests,clang) -R '^known/'
+
+fuzz: ## feed hostile input to every reader for FUZZ_SECONDS in all
+	@./setup.sh core clang
+	@$(call compile,fuzz)
+	@tools/fuzz.sh build/fuzz $(FUZZ_SECONDS)
+
+wasm: ## compile the core to WebAssembly
+	@./setup.sh core wasm
+	@$(call compile,wasm,product)
+
+clean: ## remove all builds
+	@rm -rf build

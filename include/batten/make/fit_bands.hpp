@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "batten/base/interval.hpp"
+#include "batten/shape/spline_function.hpp"
+
+namespace batten {
+
+/// A number and its standard deviation.
+struct Uncertain {
+    double value = 0;
+    double deviation = 0;
+};
+
+/// The covariance of a fit's coefficients: Cov c = scale^2 (A^T W A)^-1, A the B-splines at the
+/// samples, W the weights 1 / sigma^2; kept as the triangle of the banded QR.
+///
+/// Everything follows by linear propagation: exact for values, derivatives and integrals, to first
+/// order for crossings and extrema. Immutable, cheap to copy.
+class FitCovariance {
+public:
+    struct Model;
+    explicit FitCovariance(std::shared_ptr<const Model> model) : model_(std::move(model)) {}
+
+    /// 1 where the errors are known and the knots were given; see docs/fitting.md for what it is
+    /// where sigma was estimated or the knots were chosen by the data.
+    double scale() const;
+    /// How many standard deviations a two-sided 95 % band is wide on each side.
+    double factor_95() const;
+    /// Standard deviation of S(x) or of a derivative of it. Cost: O(degree^2); closed O(p degree).
+    double deviation(double x, int derivative = 0) const;
+    /// Cov(c_i, c_j). Cost: O(p degree).
+    double covariance(std::size_t i, std::size_t j) const;
+    /// The integral over `part`, inside the domain. Cost: O(p degree).
+    Uncertain integral(Interval part) const;
+    /// The crossings of `level`, each with the deviation |dS| / |S'| of its place.
+    std::vector<Uncertain> roots(double level = 0) const;
+    /// The places of the extrema, each with the deviation |dS'| / |S''|.
+    std::vector<Uncertain> extrema() const;
+    /// The `count` abscissae, one after the other, where one more measurement with the error
+    /// `sigma` lowers the mean variance of S over the domain most; chosen among 8 a piece.
+    /// Cost: O(count pieces p degree).
+    std::vector<double> suggest(int count, double sigma) const;
+
+private:
+    std::shared_ptr<const Model> model_;
+};
+
+}  // namespace batten

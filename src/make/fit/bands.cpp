@@ -1,0 +1,78 @@
+#include "batten/make/fit_bands.hpp"
+
+#include <cmath>
+
+#include "make/fit/covariance.hpp"
+
+/// Errors of values, integrals, crossings and extrema.
+namespace batten {
+namespace {
+
+/// The variance over the plausible knots: each fit's own, and the square of how far it lies from
+/// the fit taken. Source: [BucklandBurnhamAugustin1997], with squares added instead of roots.
+template <class Variance, class Value>
+double mixed_variance(const FitCovariance::Model& model, Variance&& variance, Value&& value) {
+    const double scale_sq = model.width.scale * model.width.scale;
+    if (model.alternatives.empty()) return scale_sq * variance(model.own);
+    const double here = value(model.own.spline());
+    double sum = 0;
+    for (const fitting::Alternative& a : model.alternatives) {
+        const double off = value(a.law.spline()) - here;
+        sum += a.weight * (scale_sq * variance(a.law) + off * off);
+    }
+    return sum;
+}
+
+}  // namespace
+
+double FitCovariance::scale() const { return model_->width.scale; }
+double FitCovariance::factor_95() const { return model_->width.factor; }
+
+double FitCovariance::deviation(double x, int derivative) const {
+    return std::sqrt(mixed_variance(
+        *model_, [&](const fitting::CoefficientLaw& law) { return law.variance(x, derivative); },
+        [&](const SplineFunction& s) { return s(x, derivative); }));
+}
+
+double FitCovariance::covariance(std::size_t i, std::size_t j) const {
+    const fitting::CoefficientLaw& law = model_->own;
+    const auto unit = [&](std::size_t c) {
+        std::vector<double> a(static_cast<std::size_t>(law.functions()), 0.0);
+        a[law.unknown(static_cast<int>(c))] = 1;
+        return law.forward(std::move(a));
+    };
+    const std::vector<double> u = unit(i), v = unit(j);
+    double sum = 0;
+    for (std::size_t l = 0; l < u.size(); ++l) sum += u[l] * v[l];
+    return scale() * scale() * sum;
+}
+
+Uncertain FitCovariance::integral(Interval part) const {
+    const auto value = [&](const SplineFunction& s) { return batten::integral(s, part); };
+    const double variance = mixed_variance(
+        *model_,
+        [&](const fitting::CoefficientLaw& law) { return law.integral_variance(part); }, value);
+    return {value(model_->own.spline()), std::sqrt(variance)};
+}
+
+std::vector<Uncertain> FitCovariance::roots(double level) const {
+    std::vector<Uncertain> result;
+    const SplineFunction& s = model_->own.spline();
+    for (const double x : batten::roots(s, level)) {
+        const double slope = std::fabs(s(x, 1));
+        if (slope > 0) result.push_back({x, deviation(x) / slope});
+    }
+    return result;
+}
+
+std::vector<Uncertain> FitCovariance::extrema() const {
+    std::vector<Uncertain> result;
+    const SplineFunction& s = model_->own.spline();
+    for (const double x : batten::extrema(s)) {
+        const double bend = std::fabs(s(x, 2));
+        if (bend > 0) result.push_back({x, deviation(x, 1) / bend});
+    }
+    return result;
+}
+
+}  // namespace batten

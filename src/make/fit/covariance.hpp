@@ -1,0 +1,68 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "batten/make/fit_bands.hpp"
+#include "make/fit/fixed_fit.hpp"
+
+namespace batten {
+namespace fitting {
+
+/// What one solved problem says about the error of its coefficients, and of what is linear in
+/// them: everything in units of the data's sigma.
+class CoefficientLaw {
+public:
+    CoefficientLaw(SplineFunction spline, KnotSystem system, int functions);
+
+    /// The derivatives at x of the B-splines that are not zero there.
+    struct Functions {
+        int first;
+        std::vector<double> values;
+    };
+
+    const SplineFunction& spline() const { return spline_; }
+    int functions() const { return functions_; }
+    Functions functions_at(double x, int derivative) const;
+    /// The unknown that holds coefficient c.
+    std::size_t unknown(int c) const;
+    /// As a vector over all unknowns.
+    std::vector<double> spread(const Functions& f) const;
+    /// R^-T a, for a functional a of the unknowns: its variance is the square of the norm.
+    std::vector<double> forward(std::vector<double> a) const;
+    /// (R^T R)^-1 a.
+    std::vector<double> apply(std::vector<double> a) const;
+    /// The variance of S(x) or of a derivative.
+    double variance(double x, int derivative) const;
+    /// The variance of the integral over `part`.
+    double integral_variance(Interval part) const;
+
+private:
+    SplineFunction spline_;
+    KnotSystem system_;
+    int functions_;
+    std::vector<double> band_;  ///< (R^T R)^-1 inside the band; open splines only
+};
+
+/// A fit with other knots that the data find plausible too.
+struct Alternative {
+    double weight;
+    CoefficientLaw law;
+};
+
+/// How wide: `scale` multiplies every deviation, `factor` those of a 95 % band.
+struct Width {
+    double scale = 1;
+    double factor = 1.959963984540054;
+};
+
+}  // namespace fitting
+
+struct FitCovariance::Model {
+    fitting::CoefficientLaw own;
+    std::vector<fitting::Alternative> alternatives;  ///< weights add up to 1; may be empty
+    fitting::Width width;
+};
+
+}  // namespace batten

@@ -1,0 +1,63 @@
+#include "make/fit/finish.hpp"
+
+#include <cmath>
+
+#include "batten/base/error.hpp"
+#include "batten/base/text.hpp"
+
+namespace batten::fitting {
+namespace {
+
+constexpr int band_points = 201;
+
+}  // namespace
+
+void fill_criteria(FitReport& report, const FixedFit& fixed, const Misfit& misfit) {
+    if (!std::isfinite(misfit.delta2)) {
+        throw Error("number.overflow", "delta2", format_number(misfit.delta2),
+                    "is beyond the range of a double");
+    }
+    const FitCriteria c =
+        fit_criteria(misfit.delta2, misfit.samples, fixed.functions, misfit.knowledge);
+    report.parameters = report.parameters_charged = fixed.functions;
+    report.rank = fixed.rank;
+    report.undetermined = fixed.undetermined;
+    report.samples = misfit.samples;
+    report.delta2 = misfit.delta2;
+    report.sigma2 = c.sigma2;
+    report.aic = c.aic;
+    report.bic = c.bic;
+    report.aicc = c.aicc;
+    report.gcv = c.gcv;
+    const double degrees = static_cast<double>(misfit.samples) - fixed.functions;
+    if (misfit.knowledge == SigmaKnowledge::known && degrees > 0) {
+        report.chi2_p = chi2_survival(misfit.delta2, degrees);
+    }
+    if (!report.undetermined.empty()) report.status = Status::rank_deficient;
+}
+
+void fill_tally(FitReport& report, const ResidualTally& tally) {
+    report.psi.assign(tally.psi.begin(), tally.psi.end());
+    report.max_residual = tally.max_residual;
+    report.runs_p = runs_probability(tally.runs, tally.positive, report.samples - tally.positive);
+}
+
+void fill_spline(FitReport& report, const SplineFunction& spline) {
+    report.intervals = static_cast<int>(spline.pieces());
+    report.breaks.assign(spline.breaks().begin(), spline.breaks().end());
+    report.knots.assign(spline.knots().begin(), spline.knots().end());
+    report.coefficients.assign(spline.coefficients().begin(), spline.coefficients().end());
+}
+
+void fill_band(FitReport& report, const SplineFunction& spline, const FitCovariance& covariance) {
+    const Interval domain = spline.domain();
+    for (int i = 0; i < band_points; ++i) {
+        const double x = domain.clamp(domain.lo + domain.length() * (i / (band_points - 1.0)));
+        const double half = covariance.factor_95() * covariance.deviation(x);
+        report.covariance_band.x.push_back(x);
+        report.covariance_band.lower.push_back(spline(x) - half);
+        report.covariance_band.upper.push_back(spline(x) + half);
+    }
+}
+
+}  // namespace batten::fitting

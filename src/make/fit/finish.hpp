@@ -1,0 +1,28 @@
+#pragma once
+
+#include "batten/make/fit.hpp"
+#include "make/fit/covariance.hpp"
+#include "make/fit/fixed_fit.hpp"
+#include "make/fit/tally.hpp"
+
+/// From a solved problem to the report: the same for every kind of fit.
+namespace batten::fitting {
+
+/// delta2 and the count of samples and parameters, and all numbers that follow from these.
+struct Misfit {
+    double delta2 = 0;
+    std::size_t samples = 0;
+    SigmaKnowledge knowledge = SigmaKnowledge::known;
+};
+void fill_criteria(FitReport& report, const FixedFit& fixed, const Misfit& misfit);
+
+/// What only residuals say.
+void fill_tally(FitReport& report, const ResidualTally& tally);
+
+/// Knots, breaks and coefficients.
+void fill_spline(FitReport& report, const SplineFunction& spline);
+
+/// The 95 % band at 201 abscissae.
+void fill_band(FitReport& report, const SplineFunction& spline, const FitCovariance& covariance);
+
+}  // namespace batten::fitting

@@ -1,0 +1,102 @@
+#include "batten/make/fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "make/fit/finish.hpp"
+#include "make/fit/knot_choice.hpp"
+
+namespace batten {
+namespace {
+
+using namespace fitting;
+
+constexpr int most_final_rounds = 20;
+
+/// The fit over the chosen knots, weights decided by its own residuals where that is asked.
+struct FinalFit {
+    std::unique_ptr<Samples> weighted;  ///< null: the samples as they are
+    FixedFit fixed;
+    std::vector<std::size_t> rejected;
+};
+
+FinalFit final_fit(const Samples& samples, const LocalBasis& basis, const KnotChoice& choice,
+                   const FitOptions& options) {
+    const Ends ends = ends_of(options);
+    FinalFit result{nullptr, solve_fixed(samples, choice.knots, basis, ends), {}};
+    if (options.robust == Robust::none) return result;
+    std::vector<double> e(samples.size()), before;
+    for (int round = 0; round < most_final_rounds; ++round) {
+        spline_of(result.fixed).evaluate(samples.x, 0, e);
+        for (std::size_t i = 0; i < e.size(); ++i) e[i] = samples.sides[0][i] - e[i];
+        std::vector<double> factors = robust_factors(options.robust, samples, e);
+        if (factors == before) break;
+        before = std::move(factors);
+        auto weighted = std::make_unique<Samples>(reweighted(samples, before));
+        FixedFit fixed = solve_fixed(*weighted, choice.knots, basis, ends);
+        if (!fixed.undetermined.empty()) break;
+        result.fixed = std::move(fixed);
+        result.weighted = std::move(weighted);
+    }
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        if (std::isinf(before[i])) result.rejected.push_back(samples.row(i));
+    }
+    std::sort(result.rejected.begin(), result.rejected.end());
+    return result;
+}
+
+/// Optimised knots widen the bands by the parameters they are; for inserted ones there are the
+/// alternatives.
+Width width_of(const FitReport& report) {
+    Width width;
+    const double degrees = static_cast<double>(report.samples) - report.parameters;
+    if (report.sigma_source == SigmaSource::estimated && degrees > 0) {
+        width.scale = std::sqrt(report.sigma2.value_or(1));
+        width.factor = student_quantile(0.05, degrees);
+    }
+    width.scale *= std::sqrt(static_cast<double>(report.parameters_charged) / report.parameters);
+    return width;
+}
+
+Status status_of(const FitReport& report, const KnotChoice& choice) {
+    if (report.status != Status::met) return report.status;
+    if (!choice.is_converged) return Status::not_converged;
+    return choice.is_met ? Status::met : Status::not_met;
+}
+
+}  // namespace
+
+Fit fit(const FitSamples& given, const FitOptions& options) {
+    require_options(options);
+    const Samples samples = prepared(given, options);
+    const LocalBasis basis(options.degree + 1);
+    KnotChoice choice = choose_knots(samples, basis, options);
+    FinalFit last = final_fit(samples, basis, choice, options);
+    const Samples& used = last.weighted ? *last.weighted : samples;
+    SplineFunction spline = spline_of(last.fixed);
+
+    FitReport report;
+    const ResidualTally residuals = tally(used, spline);
+    fill_criteria(report, last.fixed,
+                  {residuals.delta2, used.size(),
+                   samples.sigma_known ? SigmaKnowledge::known : SigmaKnowledge::unknown});
+    fill_tally(report, residuals);
+    fill_spline(report, spline);
+    report.parameters_charged += choice.moved;
+    report.rejected = std::move(last.rejected);
+    report.sigma_source = samples.source;
+    if (samples.sigma.empty()) report.sigma = samples.common_sigma;
+    report.path = std::move(choice.path);
+    report.notes = std::move(choice.notes);
+    report.status = status_of(report, choice);
+    const FitCovariance covariance(std::make_shared<FitCovariance::Model>(FitCovariance::Model{
+        CoefficientLaw(spline, last.fixed.system, last.fixed.functions),
+        std::move(choice.alternatives), width_of(report)}));
+    if (report.undetermined.empty()) fill_band(report, spline, covariance);
+    if (options.suggest > 0) {
+        report.suggestions = covariance.suggest(options.suggest, used.sigma_at(used.size() / 2));
+    }
+    return {std::move(spline), covariance, std::move(report)};
+}
+
+}  // namespace batten

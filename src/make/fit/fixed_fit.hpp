@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "make/fit/growth.hpp"
+
+namespace batten::fitting {
+
+/// The fit over one knot vector of any multiplicities.
+struct FixedFit {
+    std::vector<double> knots;
+    KnotSystem system;
+    int functions = 0;
+    int rank = 0;
+    std::vector<int> undetermined;
+};
+
+/// Solves; where coefficients are open, takes those of the least squared differences.
+///
+/// Cost: one pass over the samples, O(p order^3).
+FixedFit solve_fixed(const Samples& samples, std::vector<double> knots, const LocalBasis& basis,
+                     Ends ends);
+
+/// The same from triangles that are there already (one a span, in order).
+FixedFit solve_from(std::vector<double> knots, const LocalBasis& basis, const TriangleShape& shape,
+                    Ends ends, std::span<const double> triangles, std::span<const Cell> cells);
+
+/// S of one side as a function.
+SplineFunction spline_of(const FixedFit& fixed, int side = 0);
+
+}  // namespace batten::fitting

@@ -1,0 +1,157 @@
+#include "make/fit/free_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "make/fit/exchange.hpp"
+#include "make/fit/tally.hpp"
+
+namespace batten::fitting {
+namespace {
+
+constexpr int refined = 6;
+constexpr int levenberg_steps = 60;
+/// So many knots more without a better criterion end the search.
+constexpr int patience = 5;
+
+SigmaKnowledge knowledge_of(const Samples& samples) {
+    return samples.sigma_known ? SigmaKnowledge::known : SigmaKnowledge::unknown;
+}
+
+/// Sets of knots tried, and the rule's opinion of them.
+class FreeSearch {
+public:
+    FreeSearch(FreeFit& fit, const LocalBasis& basis, const Samples& samples, const StopPlan& plan)
+        : fit_(fit), basis_(basis), samples_(samples), plan_(plan) {}
+
+    /// Records; whether more knots are wanted. `moved`: the knots were optimised.
+    bool wants_more(const Descent& d, bool moved) {
+        const int p = d.set.count() + basis_.order();
+        FitStep step = step_of(d.delta2, samples_.size(), p, static_cast<int>(d.set.size()) + 1,
+                               knowledge_of(samples_));
+        const FitStep charged =
+            step_of(d.delta2, samples_.size(), moved ? p + d.set.count() : p, step.intervals,
+                    knowledge_of(samples_));
+        if (plan_.rule == StopRule::distribution || plan_.wants_psi) {
+            const FixedFit fixed = solve_fixed(
+                samples_, open_knots(samples_.range, d.set.flat(), basis_.order()), basis_,
+                Ends::open);
+            const Psi psi = tally(samples_, spline_of(fixed)).psi;
+            step.psi.assign(psi.begin(), psi.end());
+        }
+        choice_.path.push_back(step);
+        return judge(d, charged, p, moved);
+    }
+
+    KnotChoice finish() {
+        choice_.knots = open_knots(samples_.range, best_.set.flat(), basis_.order());
+        choice_.moved = best_moved_ ? best_.set.count() : 0;
+        choice_.by_data = true;
+        choice_.is_converged = best_.is_converged;
+        if (best_moved_ && is_singular(fit_, best_.set)) {
+            choice_.notes.push_back("knots: not unique, some can move without changing delta2");
+        }
+        return std::move(choice_);
+    }
+
+private:
+    bool judge(const Descent& d, const FitStep& charged, int p, bool moved) {
+        const FitStep& step = choice_.path.back();
+        const bool is_first = choice_.path.size() == 1;
+        bool is_end = false, is_better = true;
+        if (plan_.exactly > 0) {
+            is_end = d.set.count() + 1 >= plan_.exactly;
+            choice_.is_met = d.set.count() + 1 == plan_.exactly;
+        } else if (plan_.delta2 > 0) {
+            choice_.is_met = is_end = d.delta2 <= plan_.delta2;
+        } else if (plan_.rule == StopRule::distribution) {
+            choice_.is_met = is_end = is_distributed(step.psi, plan_.phi);
+        } else if (plan_.rule == StopRule::chi2) {
+            const double degrees = static_cast<double>(samples_.size()) - p;
+            choice_.is_met = is_end =
+                degrees > 0 && d.delta2 <= chi2_quantile(0.05, degrees);
+        } else {
+            const double value = criterion(plan_.rule, charged);
+            is_better = is_first || value < least_;
+            if (is_better) least_ = value;
+            since_best_ = is_better ? 0 : since_best_ + 1;
+            is_end = since_best_ >= patience || 2 * (p + d.set.count()) > samples_size();
+        }
+        if (is_better) {
+            best_ = d;
+            best_moved_ = moved;
+        }
+        return !is_end;
+    }
+    int samples_size() const { return static_cast<int>(samples_.size()); }
+
+    FreeFit& fit_;
+    const LocalBasis& basis_;
+    const Samples& samples_;
+    const StopPlan& plan_;
+    KnotChoice choice_;
+    Descent best_;
+    bool best_moved_ = false;
+    double least_ = 0;
+    int since_best_ = 0;
+};
+
+KnotChoice grown(FreeFit& fit, FreeSearch& search) {
+    Descent here{KnotSet{}, fit.value(KnotSet{}), 0, true};
+    while (search.wants_more(here, true)) {
+        const int before = here.set.count();
+        Descent next = with_one_more(fit, here.set, refined);
+        if (next.set.count() == before) break;
+        next = newton_descent(fit, next.set, levenberg_steps);
+        here = exchange(fit, std::move(next));
+    }
+    return search.finish();
+}
+
+KnotSet halved(FreeFit& fit, const KnotSet& set) {
+    // The paper's insertion: the middle of the gap with the largest part sum.
+    fit.value(set);
+    const std::vector<double> sums = fit.part_sums();
+    std::vector<std::size_t> order(sums.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return sums[a] > sums[b]; });
+    for (const std::size_t gap : order) {
+        const double lo = gap == 0 ? fit.domain().lo : set.at[gap - 1];
+        const double hi = gap == set.size() ? fit.domain().hi : set.at[gap];
+        KnotSet more = set;
+        more.at.insert(more.at.begin() + static_cast<std::ptrdiff_t>(gap),
+                       knot_between({lo, hi}));
+        more.times.insert(more.times.begin() + static_cast<std::ptrdiff_t>(gap), 1);
+        if (std::isfinite(fit.value(more))) return more;
+    }
+    return set;
+}
+
+KnotChoice moved_part_way(FreeFit& fit, FreeSearch& search, double free_from) {
+    Descent here{KnotSet{}, fit.value(KnotSet{}), 0, true};
+    bool moves = here.delta2 < free_from;
+    while (search.wants_more(here, moves)) {
+        const KnotSet more = halved(fit, here.set);
+        if (more.count() == here.set.count()) break;
+        moves = moves || fit.value(more) < free_from;
+        if (moves) {
+            here = newton_descent(fit, more, levenberg_steps);
+        } else {
+            here = {more, fit.value(more), 0, true};
+        }
+    }
+    return search.finish();
+}
+
+}  // namespace
+
+KnotChoice free_knots(const Samples& samples, const LocalBasis& basis, const FitOptions& options) {
+    FreeFit fit(samples, basis);
+    const StopPlan plan = stop_plan(samples, options);
+    FreeSearch search(fit, basis, samples, plan);
+    return options.free_from ? moved_part_way(fit, search, *options.free_from)
+                             : grown(fit, search);
+}
+
+}  // namespace batten::fitting

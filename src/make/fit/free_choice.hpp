@@ -1,0 +1,15 @@
+#pragma once
+
+#include "make/fit/knot_choice.hpp"
+
+namespace batten::fitting {
+
+/// Knots moved to where they serve best (KPROG = 3).
+///
+/// Without `free_from`: the best set of m knots is grown from that of m - 1 by one insertion and
+/// then by exchanges, so few local minima hold it; the rule chooses m, every knot charged as two
+/// parameters. With it, as in the paper: insertion until delta2 is below, from then on every
+/// insertion is followed by Levenberg steps of all knots.
+KnotChoice free_knots(const Samples& samples, const LocalBasis& basis, const FitOptions& options);
+
+}  // namespace batten::fitting

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "make/fit/knot_system.hpp"
+#include "make/fit/tally.hpp"
+#include "make/fit/tree.hpp"
+#include "make/fit/whitney.hpp"
+
+namespace batten::fitting {
+
+/// A spline with simple knots to which knots are added one at a time.
+///
+/// Up to `tree_from` samples every interval is reduced from its samples when it comes into being;
+/// above, one pass builds a tree and halving an interval needs no samples any more.
+class Growth {
+public:
+    static constexpr std::size_t tree_from = 2048;
+
+    Growth(const Samples& samples, const LocalBasis& basis, Ends ends, Interval domain);
+    /// The same knots, other weights.
+    void reweigh(const Samples& samples);
+    /// Starts from these breaks instead of one interval.
+    void restart(std::span<const double> breaks);
+
+    int intervals() const { return static_cast<int>(pieces_.size()); }
+    int functions() const;
+    Ends ends() const { return system_.ends(); }
+    const Samples& samples() const { return *samples_; }
+    std::vector<double> breaks() const;
+    const std::vector<double>& knots() const { return knots_; }
+
+    /// Solves for the present knots.
+    void refit();
+    double delta2() const { return delta2_; }
+    const KnotSystem& system() const { return system_; }
+    /// Weighted squared residuals of interval i.
+    double part_sum(int i) const { return part_sums_[static_cast<std::size_t>(i)]; }
+    /// True residuals e = y - S of all samples, in data units, side 0, in rising x.
+    void residuals(std::span<double> out) const;
+
+    /// The interval with the largest part sum that can be split, ties to the lowest; -1 if none.
+    int worst() const;
+    /// Whether both halves would still determine the spline.
+    bool can_split(int i) const;
+    /// Whether the samples would determine a spline over these breaks.
+    bool can_take(std::span<const double> breaks) const;
+    /// Puts a knot in the middle of interval i; refit() is to follow. Returns the knot.
+    double split(int i);
+
+private:
+    struct Piece {
+        Interval span;
+        Rows rows;
+        int node = -1;  ///< of the tree, if it is one
+    };
+    void index_knots();
+    void make_triangle(std::size_t i);
+    void make_blocks(std::size_t first, std::size_t last);
+    double* triangle(std::size_t i) { return triangles_.data() + i * reducer_->shape().size(); }
+    std::vector<Cell> cells_with(int split) const;
+
+    const Samples* samples_;
+    const LocalBasis* basis_;
+    std::unique_ptr<Reducer> reducer_;
+    std::unique_ptr<ReductionTree> tree_;
+    KnotSystem system_;
+    std::vector<Piece> pieces_;
+    std::vector<double> triangles_, blocks_, knots_, part_sums_;
+    std::vector<int> firsts_;
+    double delta2_ = 0;
+};
+
+/// n intervals of equal length.
+std::vector<double> equal_breaks(Interval domain, std::size_t n);
+
+}  // namespace batten::fitting

@@ -1,0 +1,204 @@
+#include "make/fit/knot_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "batten/base/error.hpp"
+#include "batten/base/text.hpp"
+#include "make/fit/fixed_fit.hpp"
+#include "make/fit/free_choice.hpp"
+
+namespace batten::fitting {
+namespace {
+
+constexpr std::size_t most_with_psi = 20000;
+
+[[noreturn]] void refuse(const char* option, std::string value, const char* rule) {
+    throw Error("fit.options", option, std::move(value), rule);
+}
+
+KnotChoice from_path(const Growth& growth, Path path) {
+    KnotChoice choice;
+    const std::vector<double>& breaks = path.breaks[path.chosen];
+    const int order = growth.system().order();
+    choice.knots = growth.ends() == Ends::closed
+                       ? closed_knots(breaks, order)
+                       : open_knots({breaks.front(), breaks.back()},
+                                    {breaks.data() + 1, breaks.size() - 2}, order);
+    choice.path = std::move(path.steps);
+    choice.notes = std::move(path.notes);
+    choice.alternatives = std::move(path.alternatives);
+    choice.is_met = path.is_met;
+    choice.by_data = true;
+    return choice;
+}
+
+KnotChoice given_knots(const Samples& samples, const FitOptions& options) {
+    const int order = options.degree + 1;
+    require_knot_values(options.knot_values, samples.range, options.degree);
+    KnotChoice choice;
+    if (options.closed) {
+        std::vector<double> breaks{samples.range.lo};
+        breaks.insert(breaks.end(), options.knot_values.begin(), options.knot_values.end());
+        breaks.push_back(samples.range.hi);
+        for (std::size_t i = 1; i < breaks.size(); ++i) {
+            if (breaks[i] > breaks[i - 1]) continue;
+            throw Error("fit.knots", "knot " + std::to_string(i), format_number(breaks[i]),
+                        "the knots of a closed spline must be simple");
+        }
+        require_enough(samples.size(), breaks.size() - 1);
+        choice.knots = closed_knots(breaks, order);
+    } else {
+        require_enough(samples.size(), options.knot_values.size() + static_cast<std::size_t>(order));
+        choice.knots = open_knots(samples.range, options.knot_values, order);
+    }
+    return choice;
+}
+
+KnotChoice equal_knots(const Samples& samples, const LocalBasis& basis, const FitOptions& options) {
+    const std::size_t order = static_cast<std::size_t>(basis.order());
+    if (options.intervals) {
+        const std::size_t n = static_cast<std::size_t>(*options.intervals);
+        require_enough(samples.size(), options.closed ? n : n + order - 1);
+        const std::vector<double> breaks = equal_breaks(samples.range, n);
+        KnotChoice choice;
+        choice.knots = options.closed
+                           ? closed_knots(breaks, basis.order())
+                           : open_knots(samples.range, {breaks.data() + 1, n - 1}, basis.order());
+        return choice;
+    }
+    require_enough(samples.size(), options.closed ? 1 : order);
+    Growth growth(samples, basis, ends_of(options), samples.range);
+    return from_path(growth, equal_intervals(growth, samples, options.robust,
+                                             stop_plan(samples, options)));
+}
+
+KnotChoice inserted_knots(const Samples& samples, const LocalBasis& basis,
+                          const FitOptions& options) {
+    require_enough(samples.size(), options.closed ? 1 : static_cast<std::size_t>(basis.order()));
+    Growth growth(samples, basis, ends_of(options), samples.range);
+    return from_path(growth, insert_one_by_one(growth, samples, options.robust,
+                                               stop_plan(samples, options)));
+}
+
+/// What the residuals of a choice's robust fit make of the weights.
+std::vector<double> chosen_factors(const Samples& samples, const LocalBasis& basis,
+                                   const KnotChoice& choice, Robust robust) {
+    const Interval domain = samples.range;
+    std::vector<double> breaks{domain.lo};
+    for (const double t : choice.knots) {
+        if (t > domain.lo && t < domain.hi) breaks.push_back(t);
+    }
+    breaks.push_back(domain.hi);
+    Growth growth(samples, basis, Ends::open, domain);
+    growth.restart(breaks);
+    RobustWeights weights;
+    robust_refit(growth, samples, robust, weights);
+    std::vector<double> e(samples.size());
+    const std::span<const double> c = growth.system().coefficients(0);
+    SplineFunction(growth.knots(), {c.begin(), c.end()}, basis.order() - 1)
+        .evaluate(samples.x, 0, e);
+    for (std::size_t i = 0; i < e.size(); ++i) e[i] = samples.sides[0][i] - e[i];
+    return robust_factors(robust, samples, e);
+}
+
+KnotChoice freed_knots(const Samples& samples, const LocalBasis& basis,
+                       const FitOptions& options) {
+    require_enough(samples.size(), static_cast<std::size_t>(basis.order()));
+    if (options.robust == Robust::none) return free_knots(samples, basis, options);
+    // The outliers are those of the inserted knots; the last refit decides again.
+    FitOptions insertion = options;
+    insertion.stop = StopRule::bic;
+    insertion.distribution.clear();
+    insertion.intervals.reset();
+    const std::vector<double> factors =
+        chosen_factors(samples, basis, inserted_knots(samples, basis, insertion), options.robust);
+    const Samples weighted = reweighted(samples, factors);
+    return free_knots(weighted, basis, options);
+}
+
+}  // namespace
+
+void require_knot_values(std::span<const double> values, Interval range, int degree) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const std::string place = "knot " + std::to_string(i + 1);
+        if (!(values[i] > range.lo && values[i] < range.hi)) {
+            throw Error("fit.knots", place, format_number(values[i]),
+                        "interior knots must lie between the first and the last abscissa");
+        }
+        if (i > 0 && values[i] < values[i - 1]) {
+            throw Error("fit.knots", place, format_number(values[i]), "knots must not decrease");
+        }
+        const std::size_t most = static_cast<std::size_t>(degree) + 1;
+        if (i >= most && values[i] == values[i - most]) {
+            throw Error("fit.knots", place, format_number(values[i]),
+                        "a knot may be repeated degree + 1 times at most");
+        }
+    }
+}
+
+void require_enough(std::size_t samples, std::size_t functions) {
+    if (samples >= functions) return;
+    throw Error("fit.too-few", "samples", std::to_string(samples),
+                "there must be at least as many as coefficients, " + std::to_string(functions));
+}
+
+void require_options(const FitOptions& o) {
+    if (o.degree < 0 || o.degree > 9) {
+        throw Error("option.range", "degree", std::to_string(o.degree), "must be 0 to 9");
+    }
+    if (o.intervals && *o.intervals < 1) {
+        throw Error("fit.intervals", "intervals", std::to_string(*o.intervals),
+                    "there must be at least one");
+    }
+    if (!o.knot_values.empty() && o.knots != KnotPlacement::given) {
+        refuse("knot_values", std::string(name_of(o.knots)), "go with knots = given only");
+    }
+    if (o.knots == KnotPlacement::given && o.intervals) {
+        refuse("intervals", std::to_string(*o.intervals), "do not go with given knots");
+    }
+    if (o.stop == StopRule::none && !o.intervals && !o.delta2 &&
+        o.knots != KnotPlacement::given) {
+        refuse("stop", "none", "needs the number of intervals");
+    }
+    if (o.stop != StopRule::distribution && !o.distribution.empty()) {
+        refuse("distribution", std::string(name_of(o.stop)), "goes with stop = distribution only");
+    }
+    if (o.free_from && o.knots != KnotPlacement::free) {
+        refuse("free_from", std::string(name_of(o.knots)), "goes with knots = free only");
+    }
+    if (o.knots == KnotPlacement::free && o.degree == 0) {
+        refuse("degree", "0", "free knots need degree 1 or more: a jump has no derivative");
+    }
+    if (o.knots == KnotPlacement::free && o.closed) {
+        refuse("closed", "true", "free knots go with open splines only");
+    }
+    for (const std::optional<double>& target : {o.delta2, o.free_from}) {
+        if (!target || *target > 0) continue;
+        throw Error("option.range", "delta2, free_from", format_number(*target),
+                    "must be above 0");
+    }
+}
+
+StopPlan stop_plan(const Samples& samples, const FitOptions& options) {
+    StopPlan plan;
+    plan.rule = options.stop;
+    plan.phi = error_distribution(options.distribution);
+    plan.exactly = options.intervals.value_or(0);
+    plan.delta2 = options.delta2.value_or(0);
+    plan.wants_psi = samples.size() <= most_with_psi;
+    return plan;
+}
+
+KnotChoice choose_knots(const Samples& samples, const LocalBasis& basis,
+                        const FitOptions& options) {
+    switch (options.knots) {
+        case KnotPlacement::given: return given_knots(samples, options);
+        case KnotPlacement::equal: return equal_knots(samples, basis, options);
+        case KnotPlacement::automatic: break;
+        case KnotPlacement::free: return freed_knots(samples, basis, options);
+    }
+    return inserted_knots(samples, basis, options);
+}
+
+}  // namespace batten::fitting

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "batten/make/fit_options.hpp"
+#include "make/fit/path.hpp"
+
+namespace batten::fitting {
+
+/// The knots of a fit, and how they were found.
+struct KnotChoice {
+    std::vector<double> knots;  ///< the full vector
+    std::vector<FitStep> path;
+    std::vector<std::string> notes;
+    std::vector<Alternative> alternatives;
+    int moved = 0;             ///< knots whose places were optimised
+    bool by_data = false;      ///< knots chosen by the data
+    bool is_met = true;
+    bool is_converged = true;
+};
+
+/// Throws what the contract of `fit` says about options; so that a pair that contradicts is never
+/// met half-way through.
+void require_options(const FitOptions& options);
+
+/// Interior knots as given: inside `range`, rising, repeated degree + 1 times at most.
+/// Throws `fit.knots`.
+void require_knot_values(std::span<const double> values, Interval range, int degree);
+/// Throws `fit.too-few`.
+void require_enough(std::size_t samples, std::size_t functions);
+
+KnotChoice choose_knots(const Samples& samples, const LocalBasis& basis, const FitOptions& options);
+
+StopPlan stop_plan(const Samples& samples, const FitOptions& options);
+
+inline Ends ends_of(const FitOptions& options) {
+    return options.closed ? Ends::closed : Ends::open;
+}
+
+}  // namespace batten::fitting

@@ -1,0 +1,186 @@
+#include "make/fit/knot_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "num/cox_de_boor.hpp"
+
+namespace batten::fitting {
+
+std::vector<double> open_knots(Interval domain, std::span<const double> inside, int order) {
+    std::vector<double> knots(static_cast<std::size_t>(order), domain.lo);
+    knots.insert(knots.end(), inside.begin(), inside.end());
+    knots.insert(knots.end(), static_cast<std::size_t>(order), domain.hi);
+    return knots;
+}
+
+std::vector<double> closed_knots(std::span<const double> breaks, int order) {
+    const double period = breaks.back() - breaks.front();
+    const int n = static_cast<int>(breaks.size()) - 1;
+    std::vector<double> knots;
+    for (int i = 1 - order; i <= n + order - 1; ++i) {
+        const int turn = i >= 0 ? i / n : -((n - 1 - i) / n);
+        const int at = i - turn * n;
+        const bool is_end = i == n;
+        knots.push_back(is_end ? breaks.back()
+                               : breaks[static_cast<std::size_t>(at)] + turn * period);
+    }
+    return knots;
+}
+
+std::vector<std::size_t> spans_of(std::span<const double> knots, int order) {
+    std::vector<std::size_t> spans;
+    const std::size_t last = knots.size() - static_cast<std::size_t>(order);
+    for (std::size_t s = static_cast<std::size_t>(order) - 1; s < last; ++s) {
+        if (knots[s] < knots[s + 1]) spans.push_back(s);
+    }
+    return spans;
+}
+
+void KnotSystem::to_chebyshev(std::span<const double> knots, std::size_t span, double* b) const {
+    const int k = shape_.order;
+    double x[num::most_order];
+    double values[num::most_order * num::most_order] = {};
+    const double half = 0.5 * (knots[span + 1] - knots[span]);
+    const double middle = knots[span] + half;
+    for (int i = 0; i < k; ++i) x[i] = middle + half * basis_->nodes()[static_cast<std::size_t>(i)];
+    num::basis_values_at(knots, span, k, x, k, values);
+    basis_->coefficients(values, k, b);
+}
+
+void KnotSystem::make_block(std::span<const double> knots, std::size_t span,
+                            const double* triangle, double* block) const {
+    const int k = shape_.order, width = shape_.width();
+    double b[num::most_order * num::most_order];
+    to_chebyshev(knots, span, b);
+    for (int i = 0; i < k; ++i) {
+        double* const row = block + i * width;
+        for (int j = 0; j < k; ++j) row[j] = 0;
+        for (int l = i; l < k; ++l) {
+            const double r = triangle[i * width + l];
+            for (int j = 0; j < k; ++j) row[j] += r * b[l * k + j];
+        }
+        for (int s = k; s < width; ++s) row[s] = triangle[i * width + s];
+    }
+}
+
+void KnotSystem::solve(int functions, std::span<const int> firsts,
+                       std::span<const double> blocks) {
+    functions_ = functions;
+    const int border = ends_ == Ends::closed ? std::min(shape_.order - 1, functions) : 0;
+    const int columns = functions - border;
+    if (ends_ == Ends::closed && columns < shape_.order) {
+        qr_.restart({0, 0, functions, shape_.sides});
+    } else {
+        qr_.restart({shape_.order, columns, border, shape_.sides});
+    }
+    scratch_.resize(static_cast<std::size_t>(shape_.order * qr_.shape().row_width()));
+    for (std::size_t i = 0; i < firsts.size(); ++i) {
+        const double* const block = blocks.data() + i * block_size();
+        if (ends_ == Ends::closed) {
+            add_closed(firsts[i], block);
+        } else {
+            std::copy(block, block + block_size(), scratch_.begin());
+            qr_.absorb(firsts[i], scratch_.data(), shape_.order);
+        }
+    }
+    qr_.finish();
+    take_solution();
+}
+
+void KnotSystem::add_closed(int first, const double* block) {
+    const num::BandShape& band = qr_.shape();
+    const int k = shape_.order;
+    const int start = std::clamp(first - band.border, 0, std::max(0, band.columns - band.width));
+    std::fill(scratch_.begin(), scratch_.end(), 0.0);
+    for (int j = 0; j < k; ++j) {
+        const int f = (first + j) % functions_;
+        const int at = f < band.border ? band.width + f : f - band.border - start;
+        for (int i = 0; i < k; ++i) {
+            scratch_[static_cast<std::size_t>(i * band.row_width() + at)] +=
+                block[i * shape_.width() + j];
+        }
+    }
+    for (int i = 0; i < k; ++i) {
+        std::copy(block + i * shape_.width() + k, block + (i + 1) * shape_.width(),
+                  scratch_.begin() + i * band.row_width() + band.width + band.border);
+    }
+    qr_.absorb(start, scratch_.data(), k);
+}
+
+void KnotSystem::solve_smoothly(int functions, std::span<const int> firsts,
+                                std::span<const double> blocks, double lightly) {
+    functions_ = functions;
+    const int k = shape_.order, sides = shape_.sides;
+    if (functions == k) return solve(functions, firsts, blocks);
+    qr_.restart({k + 1, functions, 0, sides});
+    const int width = k + 1 + sides;
+    scratch_.resize(static_cast<std::size_t>(k * width));
+    std::vector<double> differences(static_cast<std::size_t>(k) + 1);
+    double choose = lightly;
+    for (int j = 0; j <= k; ++j) {
+        differences[static_cast<std::size_t>(j)] = j % 2 == 0 ? choose : -choose;
+        choose = choose * (k - j) / (j + 1);
+    }
+    std::size_t block = 0;
+    for (int first = 0; first + k < functions; ++first) {
+        const bool is_last = first + k + 1 == functions;
+        for (; block < firsts.size() && (firsts[block] <= first || is_last); ++block) {
+            const int shift = firsts[block] - first;
+            std::fill(scratch_.begin(), scratch_.end(), 0.0);
+            for (int i = 0; i < k; ++i) {
+                const double* const from =
+                    blocks.data() + block * block_size() + i * shape_.width();
+                std::copy(from, from + k, scratch_.begin() + i * width + shift);
+                std::copy(from + k, from + k + sides, scratch_.begin() + i * width + k + 1);
+            }
+            qr_.absorb(first, scratch_.data(), k);
+        }
+        std::fill(scratch_.begin(), scratch_.end(), 0.0);
+        std::copy(differences.begin(), differences.end(), scratch_.begin());
+        qr_.absorb(first, scratch_.data(), 1);
+    }
+    qr_.finish();
+    take_solution();
+}
+
+void KnotSystem::take_solution() {
+    const int stored = functions_ + (ends_ == Ends::closed ? shape_.order - 1 : 0);
+    solution_.resize(static_cast<std::size_t>(stored * shape_.sides));
+    std::vector<double>& raw = scratch_;
+    raw.resize(static_cast<std::size_t>(functions_));
+    for (int s = 0; s < shape_.sides; ++s) {
+        qr_.solve(s, raw);
+        for (int j = 0; j < stored; ++j) {
+            solution_[static_cast<std::size_t>(s * stored + j)] =
+                raw[static_cast<std::size_t>(unknown(j % functions_))];
+        }
+    }
+}
+
+int KnotSystem::unknown(int j) const {
+    const num::BandShape& band = qr_.shape();
+    return j < band.border ? band.columns + j : j - band.border;
+}
+
+std::span<const double> KnotSystem::coefficients(int side) const {
+    const std::size_t stored = solution_.size() / static_cast<std::size_t>(shape_.sides);
+    return std::span(solution_).subspan(static_cast<std::size_t>(side) * stored, stored);
+}
+
+double KnotSystem::squared_rest(int first, const double* block) const {
+    const int k = shape_.order, width = shape_.width();
+    double sum = 0;
+    for (int s = 0; s < shape_.sides; ++s) {
+        const double* const c = coefficients(s).data() + first;
+        for (int i = 0; i < k; ++i) {
+            const double* const row = block + i * width;
+            double rest = row[k + s];
+            for (int j = 0; j < k; ++j) rest -= row[j] * c[j];
+            sum += rest * rest;
+        }
+    }
+    return sum;
+}
+
+}  // namespace batten::fitting

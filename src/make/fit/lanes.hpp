@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+
+/// Eight numbers at once, in a fixed order: the same bits whatever vectors the processor has.
+///
+/// Functions marked BATTEN_CLONES exist once per vector width in one binary. Contraction is off,
+/// so the copies give the same bits.
+#if defined(__x86_64__) && defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__) && !defined(__clang__)
+#define BATTEN_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
+#else
+#define BATTEN_CLONES
+#endif
+#define BATTEN_INLINE inline __attribute__((always_inline))
+
+namespace batten::fitting {
+
+constexpr std::size_t lanes = 8;
+typedef double Lanes __attribute__((vector_size(64)));
+typedef long long LaneMask __attribute__((vector_size(64)));
+
+BATTEN_INLINE void load(const double* from, Lanes& to) { std::memcpy(&to, from, sizeof to); }
+
+/// The sum of the lanes, pair by pair.
+BATTEN_INLINE double sum_of(const Lanes& v) {
+    return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
+}
+
+BATTEN_INLINE long long sum_of(const LaneMask& v) {
+    long long sum = 0;
+    for (std::size_t l = 0; l < lanes; ++l) sum += v[l];
+    return sum;
+}
+
+BATTEN_INLINE double largest_of(const Lanes& v) {
+    double largest = v[0];
+    for (std::size_t l = 1; l < lanes; ++l) largest = v[l] > largest ? v[l] : largest;
+    return largest;
+}
+
+}  // namespace batten::fitting

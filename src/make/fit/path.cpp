@@ -1,0 +1,237 @@
+#include "make/fit/path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "batten/shape/spline_function.hpp"
+
+namespace batten::fitting {
+namespace {
+
+constexpr int least_reach = 45;   // intervals, see docs/fitting.md
+/// What a parameter costs an alternative: by coverage on the five functions of the tests bic's ln N
+/// is too sure of the knots (76 to 96 %), Akaike's 2 sometimes too unsure (94 to 98 %).
+constexpr double charge = 2.25;
+constexpr double least_weight = 0.01;  // of the best alternative's: less is left out
+constexpr double tie = 1e-9;      // relative difference of two criteria that is none
+
+SplineFunction spline_of(const Growth& growth) {
+    const std::span<const double> c = growth.system().coefficients(0);
+    std::vector<double> values(c.begin(), c.end());
+    const int degree = growth.system().order() - 1;
+    return growth.ends() == Ends::closed
+               ? SplineFunction::periodic(growth.knots(), std::move(values), degree)
+               : SplineFunction(growth.knots(), std::move(values), degree);
+}
+
+std::vector<double> residuals_of(const Growth& growth, const Samples& samples) {
+    std::vector<double> e(samples.size());
+    if (&growth.samples() == &samples) {
+        growth.residuals(e);
+        return e;
+    }
+    spline_of(growth).evaluate(samples.x, 0, e);
+    for (std::size_t i = 0; i < e.size(); ++i) e[i] = samples.sides[0][i] - e[i];
+    return e;
+}
+
+int functions_over(int intervals, const Growth& growth) {
+    return growth.ends() == Ends::closed ? intervals : intervals + growth.system().order() - 1;
+}
+
+bool is_criterion(StopRule rule) {
+    return rule != StopRule::distribution && rule != StopRule::chi2 && rule != StopRule::none;
+}
+
+/// One search: which steps there were and whether to go on.
+class Search {
+public:
+    Search(Growth& growth, const Samples& samples, Robust robust, const StopPlan& plan)
+        : growth_(growth), samples_(samples), robust_(robust), plan_(plan) {}
+
+    /// Refits and records a step. Whether more intervals are wanted.
+    bool step_wants_more() {
+        const double misfit = robust_refit(growth_, samples_, robust_, weights_);
+        const SigmaKnowledge knowledge =
+            samples_.sigma_known ? SigmaKnowledge::known : SigmaKnowledge::unknown;
+        FitStep step = step_of(misfit, samples_.size(), growth_.functions(), growth_.intervals(),
+                               knowledge);
+        if (plan_.wants_psi || plan_.rule == StopRule::distribution) {
+            const Psi psi = tally(samples_, residuals_of(growth_, samples_)).psi;
+            step.psi.assign(psi.begin(), psi.end());
+        }
+        path_.steps.push_back(step);
+        path_.breaks.push_back(growth_.breaks());
+        return wants_more(step);
+    }
+
+    Path finish() {
+        choose();
+        const bool is_chosen_freely = plan_.exactly == 0 && plan_.delta2 == 0;
+        if (is_chosen_freely && is_criterion(plan_.rule)) weigh_alternatives();
+        return std::move(path_);
+    }
+
+private:
+    bool wants_more(const FitStep& step) {
+        if (plan_.exactly > 0) {
+            is_met_ = step.intervals == plan_.exactly;
+            return !is_met_;
+        }
+        if (plan_.delta2 > 0) is_met_ = step.delta2 <= plan_.delta2;
+        else if (plan_.rule == StopRule::distribution) is_met_ = is_distributed(step.psi, plan_.phi);
+        else if (plan_.rule == StopRule::chi2) is_met_ = is_within_chi2(step);
+        else return reaches_on(step);
+        return !is_met_;
+    }
+
+    bool is_within_chi2(const FitStep& step) const {
+        const double degrees =
+            static_cast<double>(samples_.size()) - static_cast<double>(growth_.functions());
+        return degrees > 0 && step.delta2 <= chi2_quantile(0.05, degrees);
+    }
+
+    bool reaches_on(const FitStep& step) {
+        const double value = criterion(plan_.rule, step);
+        if (path_.steps.size() == 1 || value < best_) {
+            best_ = value;
+            best_intervals_ = step.intervals;
+        }
+        is_met_ = true;
+        // Where delta2 enters by its logarithm, interpolation would always win.
+        const bool is_bounded = plan_.rule == StopRule::bic && samples_.sigma_known;
+        const std::size_t twice = 2 * static_cast<std::size_t>(growth_.functions() + 1);
+        if (!is_bounded && twice > samples_.size()) return false;
+        return step.intervals < std::max(least_reach, 2 * best_intervals_);
+    }
+
+    void choose() {
+        path_.is_met = is_met_;
+        path_.chosen = path_.steps.size() - 1;
+        if (plan_.exactly > 0 || plan_.delta2 > 0 || !is_criterion(plan_.rule)) return;
+        for (std::size_t i = path_.steps.size(); i-- > 0;) {
+            if (criterion(plan_.rule, path_.steps[i]) <=
+                criterion(plan_.rule, path_.steps[path_.chosen])) {
+                path_.chosen = i;
+            }
+        }
+        const double least = criterion(plan_.rule, path_.steps[path_.chosen]);
+        for (std::size_t i = 0; i < path_.steps.size(); ++i) {
+            const double other = criterion(plan_.rule, path_.steps[i]);
+            if (i == path_.chosen || std::fabs(other - least) > tie * std::fabs(least)) continue;
+            path_.notes.push_back("tie: " + std::to_string(path_.steps[i].intervals) + " and " +
+                                  std::to_string(path_.steps[path_.chosen].intervals) +
+                                  " intervals are equally good; the fewer are taken");
+        }
+    }
+
+    /// Weights exp(-(misfit + charge p) / 2) of all steps, those that matter refitted.
+    void weigh_alternatives() {
+        const double sigma2 = path_.steps[path_.chosen].sigma2;
+        const double unit = samples_.sigma_known || !(sigma2 > 0) ? 1 : sigma2;
+        std::vector<double> values;
+        for (const FitStep& step : path_.steps) {
+            values.push_back(step.delta2 / unit +
+                             charge * functions_over(step.intervals, growth_));
+        }
+        const double least = *std::min_element(values.begin(), values.end());
+        double sum = 0;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const double weight = std::exp(-0.5 * (values[i] - least));
+            if (weight < least_weight) continue;
+            growth_.restart(path_.breaks[i]);
+            growth_.refit();
+            path_.alternatives.push_back(
+                {weight, CoefficientLaw(spline_of(growth_), growth_.system(), growth_.functions())});
+            sum += weight;
+        }
+        for (Alternative& a : path_.alternatives) a.weight /= sum;
+    }
+
+    Growth& growth_;
+    const Samples& samples_;
+    Robust robust_;
+    const StopPlan& plan_;
+    RobustWeights weights_;
+    Path path_;
+    double best_ = 0;
+    int best_intervals_ = 1;
+    bool is_met_ = false;
+};
+
+}  // namespace
+
+double criterion(StopRule rule, const FitStep& step) {
+    switch (rule) {
+        case StopRule::aic: return step.aic;
+        case StopRule::aicc: return step.aicc;
+        case StopRule::gcv: return step.gcv;
+        default: return step.bic;
+    }
+}
+
+FitStep step_of(double delta2, std::size_t samples, int parameters, int intervals,
+                SigmaKnowledge knowledge) {
+    const FitCriteria c = fit_criteria(delta2, samples, parameters, knowledge);
+    FitStep step;
+    step.intervals = intervals;
+    step.delta2 = delta2;
+    step.sigma2 = c.sigma2.value_or(0);
+    step.aic = c.aic;
+    step.bic = c.bic;
+    step.aicc = c.aicc;
+    step.gcv = c.gcv;
+    return step;
+}
+
+double robust_refit(Growth& growth, const Samples& samples, Robust robust,
+                    RobustWeights& weights) {
+    growth.refit();
+    if (robust == Robust::none) return growth.delta2();
+    for (int round = 0; round < most_reweightings; ++round) {
+        std::vector<double> factors = robust_factors(robust, samples, residuals_of(growth, samples));
+        const bool is_plain =
+            std::all_of(factors.begin(), factors.end(), [](double f) { return f == 1; });
+        if (is_plain) factors.clear();
+        if (factors == weights.factors) break;
+        weights.factors = std::move(factors);
+        auto fresh =
+            is_plain ? nullptr : std::make_unique<Samples>(reweighted(samples, weights.factors));
+        growth.reweigh(fresh ? *fresh : samples);
+        if (!growth.can_take(growth.breaks())) {
+            // Too few are left for these knots: no weights then.
+            growth.reweigh(samples);
+            fresh.reset();
+            weights.factors.clear();
+            round = most_reweightings;
+        }
+        weights.samples = std::move(fresh);
+        growth.refit();
+    }
+    return robust_loss(robust, samples, residuals_of(growth, samples));
+}
+
+Path insert_one_by_one(Growth& growth, const Samples& samples, Robust robust,
+                       const StopPlan& plan) {
+    Search search(growth, samples, robust, plan);
+    while (search.step_wants_more()) {
+        const int worst = growth.worst();
+        if (worst < 0) break;
+        growth.split(worst);
+    }
+    return search.finish();
+}
+
+Path equal_intervals(Growth& growth, const Samples& samples, Robust robust, const StopPlan& plan) {
+    Search search(growth, samples, robust, plan);
+    const Interval domain = samples.range;
+    while (search.step_wants_more()) {
+        const std::size_t n = static_cast<std::size_t>(growth.intervals()) + 1;
+        const std::vector<double> breaks = equal_breaks(domain, n);
+        if (!growth.can_take(breaks)) break;
+        growth.restart(breaks);
+    }
+    return search.finish();
+}
+
+}  // namespace batten::fitting

@@ -1,0 +1,192 @@
+#include "make/fit/samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "batten/base/error.hpp"
+#include "batten/base/text.hpp"
+
+namespace batten::fitting {
+namespace {
+
+void require_finite(std::span<const double> column, const char* name) {
+    // A sum meets every NaN and Inf at the speed of reading; the search runs only if it did.
+    double lanes[8] = {};
+    const std::size_t whole = column.size() / 8 * 8;
+    for (std::size_t i = 0; i < whole; i += 8) {
+        for (std::size_t l = 0; l < 8; ++l) lanes[l] += column[i + l] * 0.0;
+    }
+    double sum = 0;
+    for (const double lane : lanes) sum += lane;
+    for (std::size_t i = whole; i < column.size(); ++i) sum += column[i] * 0.0;
+    if (sum == 0) return;
+    for (std::size_t i = 0; i < column.size(); ++i) {
+        if (std::isfinite(column[i])) continue;
+        throw Error("points.not-finite", "row " + std::to_string(i) + ", column " + name,
+                    format_number(column[i]), "coordinates must be finite");
+    }
+}
+
+void require_sigma(std::span<const double> sigma) {
+    for (std::size_t i = 0; i < sigma.size(); ++i) {
+        if (sigma[i] > 0) continue;
+        throw Error("fit.sigma", "row " + std::to_string(i) + ", column sigma",
+                    format_number(sigma[i]), "errors must be above 0 (inf: no weight)");
+    }
+}
+
+std::vector<double> sigma_by_model(std::span<const double> y, std::span<const double> model) {
+    if (model.size() != 2) {
+        throw Error("fit.sigma-model", "sigma_model", std::to_string(model.size()),
+                    "must be two numbers A,B: the errors are sqrt(A y + B)");
+    }
+    std::vector<double> sigma(y.size());
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        const double variance = model[0] * y[i] + model[1];
+        if (!(variance > 0) || !std::isfinite(variance)) {
+            throw Error("fit.sigma-model", "row " + std::to_string(i), format_number(variance),
+                        "A y + B must be above 0 for every y");
+        }
+        sigma[i] = std::sqrt(variance);
+    }
+    return sigma;
+}
+
+/// Copies what has weight, in rising x.
+void sort_and_drop(Samples& samples) {
+    const std::size_t n = samples.x.size();
+    std::vector<std::size_t> order(n);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto weightless = [&](std::size_t i) { return std::isinf(samples.sigma_at(i)); };
+    order.erase(std::remove_if(order.begin(), order.end(), weightless), order.end());
+    const std::span<const double> x = samples.x;
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return x[a] < x[b]; });
+    const auto picked = [&](std::span<const double> column) {
+        std::vector<double> result;
+        result.reserve(order.size());
+        for (const std::size_t i : order) result.push_back(column[i]);
+        return result;
+    };
+    std::vector<std::vector<double>> columns;
+    columns.push_back(picked(samples.x));
+    for (const auto& side : samples.sides) columns.push_back(picked(side));
+    if (!samples.sigma.empty()) columns.push_back(picked(samples.sigma));
+    samples.owned = std::move(columns);
+    samples.x = samples.owned[0];
+    for (std::size_t s = 0; s < samples.sides.size(); ++s) samples.sides[s] = samples.owned[s + 1];
+    if (!samples.sigma.empty()) samples.sigma = samples.owned.back();
+    if (!samples.row_of.empty()) {
+        for (std::size_t& i : order) i = samples.row_of[i];
+    }
+    samples.row_of = std::move(order);
+}
+
+bool needs_copy(const Samples& samples) {
+    const std::span<const double> x = samples.x;
+    bool falls = false;
+    for (std::size_t i = 1; i < x.size(); ++i) falls |= x[i] < x[i - 1];
+    if (falls) return true;
+    bool weightless = false;
+    for (const double s : samples.sigma) weightless |= std::isinf(s);
+    return weightless;
+}
+
+void choose_sigma(Samples& samples, const FitSamples& given, const FitOptions& options) {
+    if (!given.sigma.empty()) {
+        samples.sigma = given.sigma;
+        samples.source = SigmaSource::column;
+        require_sigma(given.sigma);
+    } else if (options.sigma) {
+        if (!(*options.sigma > 0)) {
+            throw Error("fit.sigma", "sigma", format_number(*options.sigma), "must be above 0");
+        }
+        samples.common_sigma = *options.sigma;
+        samples.source = SigmaSource::number;
+    } else if (!options.sigma_model.empty()) {
+        samples.owned.push_back(sigma_by_model(given.y, options.sigma_model));
+        samples.sigma = samples.owned.back();
+        samples.source = SigmaSource::model;
+    }
+    samples.sigma_known = samples.source != SigmaSource::estimated;
+}
+
+}  // namespace
+
+double noise_from_differences(std::span<const double> x, std::span<const double> y) {
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t i = 1; i + 1 < x.size(); ++i) {
+        const double width = x[i + 1] - x[i - 1];
+        const double a = width > 0 ? (x[i + 1] - x[i]) / width : 0.5;
+        const double b = 1 - a;
+        const double e = a * y[i - 1] + b * y[i + 1] - y[i];
+        sum += e * e / (a * a + b * b + 1);
+        ++count;
+    }
+    return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0;
+}
+
+Samples prepared(const FitSamples& given, const FitOptions& options) {
+    if (given.y.size() != given.x.size() ||
+        (!given.sigma.empty() && given.sigma.size() != given.x.size())) {
+        throw Error("fit.lengths", "samples",
+                    std::to_string(given.x.size()) + ", " + std::to_string(given.y.size()) + ", " +
+                        std::to_string(given.sigma.size()),
+                    "x, y and sigma must be equally many");
+    }
+    require_finite(given.x, "x");
+    require_finite(given.y, "y");
+    Samples samples;
+    samples.x = given.x;
+    samples.sides = {given.y};
+    choose_sigma(samples, given, options);
+    if (given.x.empty()) throw Error("fit.too-few", "samples", "0", "there must be samples");
+    const bool copy = needs_copy(samples);
+    if (copy) {
+        const auto [lo, hi] = std::minmax_element(given.x.begin(), given.x.end());
+        samples.range = {*lo, *hi};
+        sort_and_drop(samples);
+    } else {
+        samples.range = {given.x.front(), given.x.back()};
+    }
+    if (!(samples.range.lo < samples.range.hi) && given.x.size() > 1) {
+        throw Error("fit.x-equal", "x", format_number(samples.range.lo),
+                    "the abscissae must not all be equal");
+    }
+    if (!samples.sigma_known) {
+        const double noise = noise_from_differences(samples.x, samples.sides[0]);
+        samples.common_sigma = noise > 0 ? noise : 1;
+    }
+    return samples;
+}
+
+Samples reweighted(const Samples& samples, std::span<const double> factor) {
+    Samples result;
+    result.x = samples.x;
+    result.sides = samples.sides;
+    result.sigma_known = samples.sigma_known;
+    result.common_sigma = samples.common_sigma;
+    result.source = samples.source;
+    result.range = samples.range;
+    result.row_of = samples.row_of;
+    std::vector<double> sigma(samples.size());
+    for (std::size_t i = 0; i < sigma.size(); ++i) sigma[i] = samples.sigma_at(i) * factor[i];
+    result.sigma = sigma;
+    sort_and_drop(result);
+    return result;
+}
+
+Rows rows_in(const Samples& samples, Rows within, Interval span, RightEnd end) {
+    const auto from = samples.x.begin() + static_cast<std::ptrdiff_t>(within.first);
+    const auto to = samples.x.begin() + static_cast<std::ptrdiff_t>(within.last);
+    const auto first = std::lower_bound(from, to, span.lo);
+    const auto last = end == RightEnd::closed ? std::upper_bound(first, to, span.hi)
+                                              : std::lower_bound(first, to, span.hi);
+    return {static_cast<std::size_t>(first - samples.x.begin()),
+            static_cast<std::size_t>(last - samples.x.begin())};
+}
+
+}  // namespace batten::fitting

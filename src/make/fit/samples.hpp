@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "batten/base/interval.hpp"
+#include "batten/make/fit.hpp"
+
+namespace batten::fitting {
+
+constexpr int most_sides = 4;
+
+/// A run of samples.
+struct Rows {
+    std::size_t first = 0;
+    std::size_t last = 0;
+
+    std::size_t count() const { return last - first; }
+};
+
+/// What a fit works on: samples in rising x, none without weight. Borrows the caller's memory
+/// where that is already so, and owns copies where not.
+struct Samples {
+    std::span<const double> x;
+    std::vector<std::span<const double>> sides;  ///< one a dependent coordinate
+    std::span<const double> sigma;               ///< empty where all are `common_sigma`
+    double common_sigma = 1;
+    bool sigma_known = false;
+    SigmaSource source = SigmaSource::estimated;
+    Interval range;                  ///< of all x, weightless ones included
+    std::vector<std::size_t> row_of; ///< the caller's row of each sample; empty: the same
+    std::vector<std::vector<double>> owned;
+
+    std::size_t size() const { return x.size(); }
+    double sigma_at(std::size_t i) const { return sigma.empty() ? common_sigma : sigma[i]; }
+    std::size_t row(std::size_t i) const { return row_of.empty() ? i : row_of[i]; }
+
+    Samples() = default;
+    Samples(Samples&&) = default;
+    Samples& operator=(Samples&&) = default;
+};
+
+/// Checks, sorts (stably, once, only where needed) and drops what has weight 0.
+///
+/// Throws `fit.lengths`, `points.not-finite`, `fit.sigma`, `fit.too-few`, `fit.x-equal`.
+Samples prepared(const FitSamples& given, const FitOptions& options);
+
+/// The same samples with other weights: sigma x `factor`, inf dropping the sample.
+Samples reweighted(const Samples& samples, std::span<const double> factor);
+
+/// The rows with lo <= x < hi, or <= hi for the last interval of a spline.
+enum class RightEnd { open, closed };
+Rows rows_in(const Samples& samples, Rows within, Interval span, RightEnd end);
+
+/// Noise level from second differences of neighbours, as a root mean square.
+/// Source: [GasserSrokaJennenSteinmetz1986, eq. 3].
+double noise_from_differences(std::span<const double> x, std::span<const double> y);
+
+}  // namespace batten::fitting

@@ -1,0 +1,85 @@
+#include "make/fit/whitney.hpp"
+
+#include <algorithm>
+
+#include "make/fit/knot_system.hpp"
+
+namespace batten::fitting {
+namespace {
+
+/// Distinct abscissae in rows, up to `most`.
+int distinct(const Samples& samples, Rows rows, int most) {
+    int count = 0;
+    for (std::size_t r = rows.first; r < rows.last && count < most;) {
+        ++count;
+        const double x = samples.x[r];
+        while (r < rows.last && samples.x[r] == x) ++r;
+    }
+    return count;
+}
+
+}  // namespace
+
+void add_cells(std::span<const double> knots, int order, std::size_t span, const Samples& samples,
+               Rows rows, std::vector<Cell>& out) {
+    const int s = static_cast<int>(span);
+    const double lo = knots[span], hi = knots[span + 1];
+    const std::size_t functions = knots.size() - static_cast<std::size_t>(order);
+    Rows inside = rows;
+    while (inside.first < inside.last && samples.x[inside.first] == lo) ++inside.first;
+    if (inside.first > rows.first) {
+        int repeated = 0;  // functions that start here are zero here, but for a jump
+        for (std::size_t i = span; knots[i] == lo; --i) {
+            ++repeated;
+            if (i == 0) break;
+        }
+        out.push_back({1, s - order + 1, std::max(s - repeated, s - order + 1)});
+    }
+    const bool is_last = span + 1 == functions;
+    if (is_last) {
+        while (inside.first < inside.last && samples.x[inside.last - 1] == hi) --inside.last;
+    }
+    const int count = distinct(samples, inside, order);
+    if (count > 0) out.push_back({count, s - order + 1, s});
+    if (is_last && inside.last < rows.last) out.push_back({1, s, s});
+}
+
+std::vector<Cell> cells_of(std::span<const double> knots, int order, const Samples& samples) {
+    std::vector<Cell> cells;
+    const std::vector<std::size_t> spans = spans_of(knots, order);
+    Rows rest{0, samples.size()};
+    for (const std::size_t s : spans) {
+        const RightEnd end = s == spans.back() ? RightEnd::closed : RightEnd::open;
+        const Rows rows = rows_in(samples, rest, {knots[s], knots[s + 1]}, end);
+        add_cells(knots, order, s, samples, rows, cells);
+        rest.first = rows.last;
+    }
+    return cells;
+}
+
+int rank_of(std::span<const Cell> cells, int functions, int without) {
+    // The cells' ranges rise with the cells: giving each datum the leftmost free function is best.
+    int rank = 0, next = 0;
+    for (const Cell& cell : cells) {
+        next = std::max(next, cell.first);
+        for (int i = 0; i < cell.count; ++i) {
+            if (next == without) ++next;
+            if (next > cell.last || next >= functions) break;
+            ++next;
+            ++rank;
+        }
+    }
+    return rank;
+}
+
+std::vector<int> undetermined_coefficients(std::span<const Cell> cells, int functions) {
+    std::vector<int> open;
+    const int rank = rank_of(cells, functions);
+    if (rank == functions) return open;
+    for (int j = 0; j < functions; ++j) {
+        if (rank_of(cells, functions, j) == rank) open.push_back(j);
+    }
+    return open;
+}
+
+}  // namespace batten::fitting

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "make/fit/samples.hpp"
+
+/// Whether data determine a spline, exactly: by counting, before any arithmetic.
+///
+/// The rank of a weighted B-spline matrix is the largest number of functions that can each be
+/// given a datum of their own where they are not zero [SchoenbergWhitney1953]; by total positivity
+/// this holds for every choice of columns [deBoor2001, XIII]. Open splines only.
+namespace batten::fitting {
+
+/// Data at one place of the knot vector, and the functions that are not zero there.
+struct Cell {
+    int count = 0;  ///< distinct abscissae, at most `order`
+    int first = 0;
+    int last = 0;
+};
+
+/// The cells of a knot vector from left to right: every break, every open interval between.
+std::vector<Cell> cells_of(std::span<const double> knots, int order, const Samples& samples);
+
+/// The cells that one interval adds: its left break and its inside (and its right break where it
+/// is the last one). `span` is the knot index of its left end.
+void add_cells(std::span<const double> knots, int order, std::size_t span, const Samples& samples,
+               Rows rows, std::vector<Cell>& out);
+
+/// The rank of the matrix with `functions` columns, function `without` left out (or -1).
+int rank_of(std::span<const Cell> cells, int functions, int without = -1);
+
+/// The coefficients that the data leave open, rising; empty where all are determined.
+std::vector<int> undetermined_coefficients(std::span<const Cell> cells, int functions);
+
+}  // namespace batten::fitting

@@ -1,0 +1,104 @@
+#include "fit_samples.hpp"
+#include "shared_json.hpp"
+
+/// The reference fits, computed by dense QR in other hands.
+namespace batten {
+namespace {
+
+using testing::fit_table;
+
+FitOptions by_distribution() {
+    FitOptions options;
+    options.stop = StopRule::distribution;
+    options.distribution = {0.68, 0.95, 0.99};
+    return options;
+}
+
+void expect_coefficients(const FitReport& report, const nlohmann::json& reference) {
+    ASSERT_EQ(report.coefficients.size(), reference.size());
+    for (std::size_t j = 0; j < reference.size(); ++j) {
+        const double c = reference[j];
+        EXPECT_NEAR(report.coefficients[j], c, 1e-9 * std::max(1.0, std::fabs(c))) << j;
+    }
+}
+
+void expect_path(const std::vector<FitStep>& path, const nlohmann::json& reference) {
+    for (std::size_t i = 0; i < path.size() && i < reference.size(); ++i) {
+        const auto& step = reference[i];
+        EXPECT_EQ(path[i].intervals, step["n"].get<int>());
+        EXPECT_NEAR(path[i].delta2 / step["delta2"].get<double>(), 1, 1e-9) << i;
+        EXPECT_NEAR(path[i].sigma2 / step["sigma2"].get<double>(), 1, 1e-9) << i;
+        EXPECT_NEAR(path[i].aic / step["aic"].get<double>(), 1, 1e-9) << i;
+        if (step.contains("psi")) {
+            EXPECT_EQ(path[i].psi, step["psi"].get<std::vector<double>>()) << i;
+        }
+    }
+}
+
+TEST(FitOverEqualIntervals, GivesTheReference) {
+    SKIP_UNLESS_SHARED("reference/fitting/curve_reference.json");
+    const auto reference =
+        testing::shared_json("reference/fitting/curve_reference.json")["equal"]["kprog1_n10"];
+    const auto table = fit_table("curve_equal");
+    FitOptions options;
+    options.knots = KnotPlacement::equal;
+    options.intervals = 10;
+    const Fit result = fit(table.view(), options);
+    EXPECT_NEAR(result.report.delta2 / reference["delta2"].get<double>(), 1, 1e-9);
+    EXPECT_NEAR(*result.report.sigma2 / reference["sigma2"].get<double>(), 1, 1e-9);
+    EXPECT_NEAR(result.report.aic / reference["aic"].get<double>(), 1, 1e-9);
+    expect_coefficients(result.report, reference["coef"]);
+
+    options.knots = KnotPlacement::given;
+    options.intervals.reset();
+    for (int i = 1; i < 10; ++i) options.knot_values.push_back(10 * i);
+    EXPECT_EQ(fit(table.view(), options).report.coefficients, result.report.coefficients);
+}
+
+TEST(FitByInsertion, FollowsTheReferencePathAndStopsWhereThePaperDoes) {
+    SKIP_UNLESS_SHARED("reference/fitting/curve_reference.json");
+    const auto reference =
+        testing::shared_json("reference/fitting/curve_reference.json")["equal"];
+    const Fit result = fit(fit_table("curve_equal").view(), by_distribution());
+    EXPECT_EQ(result.report.status, Status::met);
+    EXPECT_EQ(result.report.intervals, 20);
+    EXPECT_EQ(result.report.breaks,
+              reference["kprog2"]["knots"].get<std::vector<double>>());
+    EXPECT_EQ(result.report.psi, reference["kprog2"]["psi"].get<std::vector<double>>());
+    EXPECT_NEAR(result.report.delta2 / reference["kprog2"]["delta2"].get<double>(), 1, 1e-9);
+    expect_coefficients(result.report, reference["kprog2"]["coef"]);
+    ASSERT_EQ(result.report.path.size(), reference["kprog2_history"].size());
+    expect_path(result.report.path, reference["kprog2_history"]);
+}
+
+TEST(FitByInsertion, GoesOnPastTheFirstHit) {
+    SKIP_UNLESS_SHARED("reference/fitting/curve_reference.json");
+    const auto reference =
+        testing::shared_json("reference/fitting/curve_reference.json")["equal"]["history_to_40"];
+    const Fit result = fit(fit_table("curve_equal").view(), {});
+    EXPECT_EQ(result.report.path.size(), 45u);
+    expect_path(result.report.path, reference);
+    EXPECT_EQ(result.report.intervals, 20);
+}
+
+TEST(FitByInsertion, FollowsTheTitaniumPath) {
+    SKIP_UNLESS_SHARED("reference/fitting/titanium_reference.json");
+    const auto history =
+        testing::shared_json("reference/fitting/titanium_reference.json")["kprog2_history"];
+    const auto table = fit_table("titanium");
+    FitOptions options = by_distribution();
+    const Fit stopped = fit(table.view(), options);
+    EXPECT_EQ(stopped.report.intervals, 8);
+    EXPECT_NEAR(stopped.report.delta2, 27.883080, 1e-6);
+    EXPECT_NEAR(stopped.report.aic, 185.07298, 1e-5);
+
+    options = {};
+    options.intervals = static_cast<int>(history.size());
+    const Fit whole = fit(table.view(), options);
+    ASSERT_EQ(whole.report.path.size(), history.size());
+    expect_path(whole.report.path, history);
+    EXPECT_EQ(whole.report.breaks, history.back()["knots"].get<std::vector<double>>());
+}
+
+}  // namespace
+}  // namespace batten

@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# Fair curves through real data, step by step: each command is shown, then run.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+export PATH="$PWD/build/release/bin:$PATH"
+points=cases/points
+out=build/demo
+mkdir -p "$out"
+
+say() { printf '\n%s\n' "$*"; }
+run() {
+    printf '  $ %s\n' "$*"
+    "$@" 2>&1 | sed 's/^/    /'
+}
+
+say "1. A violin's body, 36 points typed by hand, four of them corners."
+run batten interpolate $points/violin.csv --closed --corner 6,12,24,30 \
+    -o $out/violin.json --draw $out/violin.svg
+say "   How good is it?"
+run batten measure $out/violin.json
+
+say "2. An aerofoil (RAE 2822): closed at its sharp trailing edge."
+run batten interpolate $points/rae2822.dat -o $out/aerofoil.json --draw $out/aerofoil.svg
+
+say "3. Four points where the classical methods make needles (Inoue & Shibata, Table 2)."
+for method in natural-uniform natural-chord hermite-chord hermite-arc pseudo-spline; do
+    run batten interpolate $points/inoue-shibata-table-2.csv --method $method --quiet \
+        -o $out/$method.json
+done
+run batten draw $out/natural-uniform.json $out/natural-chord.json $out/hermite-chord.json \
+    $out/hermite-arc.json $out/pseudo-spline.json $points/inoue-shibata-table-2.csv \
+    -o $out/needles.svg --quiet
+run batten compare $out/pseudo-spline.json --to $points/inoue-shibata-table-2.csv
+
+say "Pictures: $out/violin.svg $out/aerofoil.svg $out/needles.svg"
