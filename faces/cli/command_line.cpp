@@ -38,8 +38,10 @@ void add_field(Typed& typed, std::size_t index) {
             flag, [&typed, index] { typed.values[index] = {"true"}; }, description(field));
     } else {
         option = typed.verb->add_option(flag, typed.values[index], description(field));
-        option->type_name(field.takes)->allow_extra_args(false);
-        if (field.kind != FieldKind::list) option->take_last();
+        // One word at a time; lists may be given piece by piece, of others the last one counts.
+        option->type_name(field.takes)->expected(1)->multi_option_policy(
+            field.kind == FieldKind::list ? CLI::MultiOptionPolicy::TakeAll
+                                          : CLI::MultiOptionPolicy::TakeLast);
     }
     option->group("Options");
 }
@@ -63,7 +65,7 @@ void add_common(CLI::App& verb, const Operation& operation, Command& command) {
     verb.add_option("--columns", command.columns, "columns that hold the coordinates: names or #k, k from 1")
         ->type_name("X,Y[,Z]")->group(group);
     verb.add_option("--progress", command.progress, "progress of long work on standard error [auto]")
-        ->type_name("auto|always|never")->check(CLI::IsMember({"auto", "always", "never"}))->group(group);
+        ->type_name("WHEN")->check(CLI::IsMember({"auto", "always", "never"}))->group(group);
     verb.add_flag("--quiet", command.quiet, "no summary on standard error")->group(group);
 }
 

@@ -41,7 +41,7 @@ struct Deviation {
 ///         near to a point?) within the tolerance, relative ones referring to the curve's extent.
 /// Throws: `points.too-few` for none, `points.dimension`, `points.not-finite`; `option.range`;
 ///         `curve.not-finite`; `number.overflow`.
-/// Cost:   about 2 us a point, and 1 us for each of the curve's sub-arcs looked at.
+/// Cost:   about 5 us a point and as much for each of the sub-arcs looked at.
 Deviation deviation(const Curve& curve, PointsView points, Tolerance tolerance = relative(1e-6));
 
 /// Deviation of `other` from `curve`: max and hausdorff within the tolerance, rms and mean by

@@ -36,7 +36,7 @@ void visit_fields(Report& r, Visit&& visit) {
 ///         curve is nearly a circle around the point, t is only known as well as the distance lets
 ///         it be.
 /// Laws:   points times 2^k give exactly the same t and 2^k times the distance.
-/// Cost:   after set-up about 2 us and log2(pieces) comparisons.
+/// Cost:   about 1 us a piece once, then about 5 us a point.
 /// Throws: `points.dimension` unless the point has as many coordinates as the curve,
 ///         `points.not-finite`; `curve.not-finite`; `number.overflow`.
 /// Source: pieces are visited in the order of the distance of their boxes; in each all zeros of

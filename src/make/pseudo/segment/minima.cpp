@@ -20,7 +20,9 @@ struct Start {
 };
 
 /// Where least minima are reached from: the middle of the valley, its two ends, the single arcs
-/// with an angle above 90 degrees, and the pocket at theta0 = 50..72 degrees.
+/// with an angle above 90 degrees, and the pocket at theta0 = 50..72 degrees. Against 144 starts on
+/// each of 18000 random pairs of angles, 15000 of them in the difficult zones, they missed a lower
+/// J once, by 5e-13 of it at 0.87 degrees.
 constexpr std::array<Start, 5> central_starts{{{1, 1}, {0.3, 2}, {2, 0.1}, {1.4, 3}, {0.07, 2.8}}};
 
 /// ... and for small angles, where all lie at r = 1 +- (1 to 2) theta0.
