@@ -1,6 +1,6 @@
 #include "io/tables/utf8.hpp"
 
-namespace batten {
+namespace batten::utf8 {
 
 std::size_t utf8_length(std::string_view text) {
     if (text.empty()) return 0;
@@ -67,4 +67,4 @@ std::string shown_character(char c) {
     return std::string("byte 0x") + figures[byte >> 4] + figures[byte & 15];
 }
 
-}  // namespace batten
+}  // namespace batten::utf8

@@ -4,7 +4,8 @@
 #include <string>
 #include <string_view>
 
-namespace batten {
+/// Private to the readers and writers: a namespace of its own keeps it out of the library's exports.
+namespace batten::utf8 {
 
 /// The length of the UTF-8 sequence `text` begins with [RFC3629]; 0 where it begins with none, or
 /// with a control character below U+0020.
@@ -27,4 +28,8 @@ inline std::string_view without_byte_order_mark(std::string_view text) {
     return text.substr(text.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0);
 }
 
-}  // namespace batten
+}  // namespace batten::utf8
+
+namespace batten {
+using namespace utf8;
+}
