@@ -17,7 +17,7 @@ constexpr const char* format_name = "batten.curve/1";
 
 std::string shown(const Value* value) {
     if (!value) return "missing";
-    if (const std::string* text = value->text()) return shown_text(*text);
+    if (const std::string* text = value->text()) return utf8::shown(*text);
     if (const ValueList* list = value->list()) {
         return "a list of " + std::to_string(list->size());
     }
@@ -222,14 +222,14 @@ Curve curve_of(const Value& tree, const std::string& place) {
 }
 
 Curve parse_curve(const Source& source) {
-    const std::string_view text = trimmed(without_byte_order_mark(source.bytes));
+    const std::string_view text = trimmed(utf8::without_byte_order_mark(source.bytes));
     if (text.empty()) {
         throw Error("file.empty", source.name, "no curve", "the file must hold a curve");
     }
     if (text[0] == '{') return curve_of(parse_json(source.bytes, source.name), source.name);
     if (text[0] == '<') return parse_svg_path(first_svg_path(text, source.name), source.name);
     if (text[0] == 'M' || text[0] == 'm') return parse_svg_path(text, source.name);
-    throw wrong_format(source.name, shown_character(text[0]));
+    throw wrong_format(source.name, utf8::shown(text[0]));
 }
 
 Curve read_curve(const std::string& path) { return parse_curve(read_source(path)); }
@@ -240,7 +240,7 @@ bool holds_curve(const Source& source) {
     for (const char* table : {"csv", "tsv", "txt", "dat", "npy"}) {
         if (suffix == table) return false;
     }
-    const std::string_view text = trimmed(without_byte_order_mark(source.bytes));
+    const std::string_view text = trimmed(utf8::without_byte_order_mark(source.bytes));
     if (text.empty()) return false;
     if (text[0] == '{' || text[0] == '<') return true;
     // Path data, and not a header: nothing but its own letters.

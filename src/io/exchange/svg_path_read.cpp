@@ -54,7 +54,7 @@ private:
                                         : "a command letter or a number is needed here");
         }
         if ((has_ended_ && upper(command_) != 'Z') || (!pieces_.empty() && upper(command_) == 'M')) {
-            throw Error("svg.subpaths", place(start_), shown_character(data_[start_]),
+            throw Error("svg.subpaths", place(start_), utf8::shown(data_[start_]),
                         "one curve is one path without a second part");
         }
         if (upper(command_) == 'Z') return close();
@@ -193,7 +193,7 @@ private:
     }
     [[noreturn]] void fail(std::string rule) const {
         throw Error("svg.path", place(at_),
-                    at_ < data_.size() ? shown_character(data_[at_]) : "end of data",
+                    at_ < data_.size() ? utf8::shown(data_[at_]) : "end of data",
                     std::move(rule));
     }
 

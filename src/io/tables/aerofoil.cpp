@@ -76,7 +76,7 @@ bool is_aerofoil(Lines lines, Title title) {
 
 Table read_aerofoil(Lines lines, const std::string& source) {
     next_filled(lines);
-    const std::string title = printable(trimmed(lines.text()));
+    const std::string title = utf8::printable(trimmed(lines.text()));
     Table table = read_rows(lines, source);
     if (table.columns() == 2 && has_counts(table)) join_sides(table);
     if (table.names.empty()) table.names = coordinate_names(table.columns());

@@ -18,7 +18,7 @@ bool is_digit(char c) { return '0' <= c && c <= '9'; }
 class JsonReader {
 public:
     JsonReader(std::string_view text, std::string_view place, JsonLimits limits)
-        : text_(without_byte_order_mark(text)), place_(place), limits_(limits) {}
+        : text_(utf8::without_byte_order_mark(text)), place_(place), limits_(limits) {}
 
     Value document() {
         Value result = value(0);
@@ -67,7 +67,7 @@ private:
             std::string key = string();
             if (!keys.insert(key).second) {
                 at_ = start;
-                throw error("json.duplicate-key", shown_text(key), "a key may stand only once in a map");
+                throw error("json.duplicate-key", utf8::shown(key), "a key may stand only once in a map");
             }
             if (!take(':')) fail("a key is followed by :");
             entries.emplace_back(std::move(key), value(depth));
@@ -148,7 +148,7 @@ private:
             if (next() == '"') break;
             if (next() == '\\') {
                 escape(result);
-            } else if (const std::size_t length = utf8_length(text_.substr(at_))) {
+            } else if (const std::size_t length = utf8::length(text_.substr(at_))) {
                 result.append(text_, at_, length);
                 at_ += length;
             } else {
@@ -184,7 +184,7 @@ private:
             point = 0x10000 + ((point - 0xD800) << 10) + (low - 0xDC00);
         }
         if (0xD800 <= point && point < 0xE000) fail("half of a surrogate pair");
-        append_utf8(result, point);
+        utf8::append(result, point);
     }
 
     /// The four hexadecimal digits of an escape.
@@ -222,7 +222,7 @@ private:
                 std::move(value), std::move(rule)};
     }
     [[noreturn]] void fail(std::string rule) const {
-        throw error("json.syntax", at_ < text_.size() ? shown_character(text_[at_]) : "end of text",
+        throw error("json.syntax", at_ < text_.size() ? utf8::shown(text_[at_]) : "end of text",
                     std::move(rule));
     }
 

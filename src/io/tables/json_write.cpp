@@ -15,7 +15,7 @@ constexpr std::size_t no_limit = static_cast<std::size_t>(-1);
 void append_text(std::string& out, std::string_view text) {
     out += '"';
     while (!text.empty()) {
-        const std::size_t length = utf8_length(text);
+        const std::size_t length = utf8::length(text);
         if (text[0] == '"' || text[0] == '\\') {
             out += '\\';
             out += text[0];
@@ -27,7 +27,7 @@ void append_text(std::string& out, std::string_view text) {
             out += figures[text[0] >> 4];
             out += figures[text[0] & 15];
         } else {
-            append_utf8(out, 0xFFFD);
+            utf8::append(out, 0xFFFD);
         }
         text.remove_prefix(length > 0 ? length : 1);
     }

@@ -63,7 +63,7 @@ private:
         const bool is_integer = width && (name[1] == 'i' || name[1] == 'u') &&
                                 (*width == 1 || *width == 2 || *width == 4 || *width == 8);
         if ((!is_float && !is_integer) || std::string_view("<>|=").find(name[0]) == name.npos) {
-            throw Error("npy.type", source_, shown_text(name),
+            throw Error("npy.type", source_, utf8::shown(name),
                         "floats of 4 or 8 bytes and integers are read");
         }
         header.kind = name[1];
@@ -121,7 +121,7 @@ private:
     }
     [[noreturn]] void fail(std::string_view value) const {
         throw Error("npy.header", source_,
-                    value.empty() ? "end of header" : shown_text(value),
+                    value.empty() ? "end of header" : utf8::shown(value),
                     "the header must tell descr, fortran_order and shape, and nothing else");
     }
 

@@ -41,7 +41,7 @@ Error bad_cell(const Table& table, int column) {
     const std::string place = table.source + " row " +
                               std::to_string(table.line_of_row[bad.row]) + ", column " +
                               table.label(column);
-    const std::string text = bad.text.empty() ? "an empty cell" : shown_text(bad.text);
+    const std::string text = bad.text.empty() ? "an empty cell" : utf8::shown(bad.text);
     const std::optional<double> x = parse_number(bad.text);
     if (!x) {
         const bool has_comma = bad.text.find(',') != std::string::npos;
@@ -67,7 +67,7 @@ void require_good(const Table& table, int column) {
 
 std::string Table::label(int column) const {
     const std::size_t k = static_cast<std::size_t>(column);
-    if (k < names.size() && !names[k].empty()) return printable(names[k]);
+    if (k < names.size() && !names[k].empty()) return utf8::printable(names[k]);
     return '#' + std::to_string(column + 1);
 }
 
@@ -82,7 +82,7 @@ TableFormat table_format(const Source& source) {
     }
     const std::string_view bytes = source.bytes;
     if (bytes.substr(0, npy_magic.size()) == npy_magic) return TableFormat::npy;
-    const std::string_view text = trimmed(without_byte_order_mark(bytes));
+    const std::string_view text = trimmed(utf8::without_byte_order_mark(bytes));
     if (!text.empty() && (text[0] == '[' || text[0] == '{')) return TableFormat::json;
     return is_aerofoil(lines, tables::Title::not_two_words) ? TableFormat::aerofoil
                                                             : TableFormat::text;
@@ -109,7 +109,7 @@ int column_index(const Table& table, std::string_view pick) {
         const std::optional<long long> k = parse_integer(pick.substr(1));
         if (k && *k >= 1 && *k <= table.columns()) return static_cast<int>(*k - 1);
     }
-    throw Error("table.unknown-column", table.source, shown_text(pick),
+    throw Error("table.unknown-column", table.source, utf8::shown(pick),
                 choices(table));
 }
 
@@ -131,7 +131,7 @@ std::vector<int> coordinate_columns(const Table& table, std::string_view picks) 
     if (columns.size() == 2 || columns.size() == 3) return columns;
     const bool none_picked = trimmed(picks).empty();
     throw Error("table.columns", table.source,
-                none_picked ? std::to_string(table.columns()) + " columns" : shown_text(picks),
+                none_picked ? std::to_string(table.columns()) + " columns" : utf8::shown(picks),
                 "pick two or three columns as coordinates; " + choices(table));
 }
 

@@ -33,7 +33,7 @@ std::size_t find_separator(std::string_view line, std::size_t at, char separator
 }  // namespace
 
 Lines::Lines(std::string_view text)
-    : rest_(without_byte_order_mark(text)),
+    : rest_(utf8::without_byte_order_mark(text)),
       end_(rest_.find('\n') == std::string_view::npos ? '\r' : '\n') {}
 
 bool Lines::next() {

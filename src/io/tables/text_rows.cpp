@@ -62,7 +62,7 @@ public:
         if (trimmed(line).empty()) return;
         if (columns_ == 0) separator_ = separator_of(line);
         if (!split(line, separator_, cells_)) {
-            throw Error("table.quote", place(number), shown_text(trimmed(line)),
+            throw Error("table.quote", place(number), utf8::shown(trimmed(line)),
                         "a quoted cell must end on its line, before the next separator");
         }
         if (columns_ == 0) {

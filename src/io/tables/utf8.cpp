@@ -2,7 +2,7 @@
 
 namespace batten::utf8 {
 
-std::size_t utf8_length(std::string_view text) {
+std::size_t length(std::string_view text) {
     if (text.empty()) return 0;
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const auto follows = [&](std::size_t i) { return i < text.size() && (byte(i) & 0xC0) == 0x80; };
@@ -22,7 +22,7 @@ std::size_t utf8_length(std::string_view text) {
     return 4;
 }
 
-void append_utf8(std::string& text, char32_t point) {
+void append(std::string& text, char32_t point) {
     const auto add = [&text](char32_t byte) { text += static_cast<char>(byte); };
     const auto add_rest = [&](int shift) { add(0x80 | ((point >> shift) & 0x3F)); };
     if (point < 0x80) {
@@ -45,22 +45,22 @@ void append_utf8(std::string& text, char32_t point) {
 std::string printable(std::string_view text) {
     std::string result;
     while (!text.empty()) {
-        const std::size_t length = utf8_length(text);
-        if (length > 0 && text[0] != '\x7F') {
-            result += text.substr(0, length);
+        const std::size_t size = length(text);
+        if (size > 0 && text[0] != '\x7F') {
+            result += text.substr(0, size);
         } else {
-            append_utf8(result, 0xFFFD);
+            append(result, 0xFFFD);
         }
-        text.remove_prefix(length > 0 ? length : 1);
+        text.remove_prefix(size > 0 ? size : 1);
     }
     return result;
 }
 
-std::string shown_text(std::string_view text) {
+std::string shown(std::string_view text) {
     return text.empty() ? "''" : printable(text.substr(0, 40));
 }
 
-std::string shown_character(char c) {
+std::string shown(char c) {
     const auto byte = static_cast<unsigned char>(c);
     if (0x20 <= byte && byte < 0x7F) return {'\'', c, '\''};
     constexpr char figures[] = "0123456789ABCDEF";
