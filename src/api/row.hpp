@@ -2,7 +2,6 @@
 
 #include <span>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "api/options_binding.hpp"
@@ -23,16 +22,15 @@ struct Head {
 
 /// A row from an options struct and `run(inputs, options) -> Outcome`; the outcome's options are
 /// filled in here.
-template <class Options, class Run>
-Operation row(Head head, Run run) {
+template <class Options>
+Operation row(Head head, Outcome (*run)(std::span<const Input>, const Options&)) {
     return {head.name,
             head.help,
             head.input,
             head.many_inputs,
             head.output,
             describe<Options>(),
-            [run = std::move(run)](std::span<const Input> inputs,
-                                   const std::vector<Setting>& settings) {
+            [run](std::span<const Input> inputs, const std::vector<Setting>& settings) {
                 const Options options = options_from<Options>(settings);
                 Outcome outcome = run(inputs, options);
                 outcome.options = options_value(options);

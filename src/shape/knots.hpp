@@ -8,6 +8,9 @@
 /// Knot vectors taken apart and put together.
 namespace batten::knots {
 
+/// One more than the highest degree a basis may have: room for the coefficients of a piece.
+constexpr int most_order = BSplineBasis::most_degree + 1;
+
 /// The list that makes `basis`: what its constructor took, or `BSplineBasis::periodic`.
 std::vector<double> list_of(const BSplineBasis& basis);
 

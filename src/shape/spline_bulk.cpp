@@ -3,13 +3,13 @@
 #include <cassert>
 
 #include "batten/shape/spline_function.hpp"
+#include "shape/knots.hpp"
 
 /// Many abscissae at once: runs of one piece with its coefficients in registers.
 namespace batten {
 namespace {
 
-constexpr int most_order = 26;
-using Coefficients = std::array<double, most_order>;
+using Coefficients = std::array<double, knots::most_order>;
 
 /// How many abscissae from `first` on lie in [lo, hi).
 std::size_t run_length(std::span<const double> x, std::size_t first, Interval piece) {

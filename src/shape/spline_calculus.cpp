@@ -8,17 +8,17 @@
 #include "batten/shape/bspline.hpp"
 #include "batten/shape/spline_function.hpp"
 #include "num/roots.hpp"
+#include "shape/knots.hpp"
 
 /// Derivative, integral, crossings and extrema of a spline, and its graph.
 namespace batten {
 namespace {
 
-constexpr int most_order = 26;
 constexpr int most_halvings = 60;
 
 /// One polynomial in Bernstein form: the signs of its coefficients bound the number of its roots.
 struct Bernstein {
-    std::array<double, most_order> b{};
+    std::array<double, knots::most_order> b{};
     int degree = 0;
     Interval part;
 
@@ -58,7 +58,7 @@ Bernstein bernstein(const SplineFunction& s, std::size_t piece, double level) {
     Bernstein result;
     result.degree = s.degree();
     result.part = {s.breaks()[piece], s.breaks()[piece + 1]};
-    std::array<double, most_order> a{};
+    std::array<double, knots::most_order> a{};
     double power = 1;
     double choose = 1;  // degree over j
     for (int j = 0; j <= s.degree(); ++j) {

@@ -6,11 +6,10 @@
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
+#include "shape/knots.hpp"
 
 namespace batten {
 namespace {
-
-constexpr int most_degree = 25;
 
 void require_knots(std::span<const double> knots, std::size_t coefficients, int degree) {
     const std::size_t order = static_cast<std::size_t>(degree) + 1;
@@ -42,7 +41,7 @@ void taylor(std::span<const double> knots, std::size_t span, int degree, std::sp
             double* out, std::size_t stride) {
     const double at = knots[span];
     double factor = 1;  // degree! / (degree - r)! / r!, step by step
-    std::array<double, most_degree + 1> d;
+    std::array<double, knots::most_order> d;
     for (int r = 0; r <= degree; ++r) {
         const int rest = degree - r;  // c now holds the rest + 1 coefficients of derivative r
         std::copy(c.begin(), c.begin() + rest + 1, d.begin());
@@ -69,8 +68,9 @@ void taylor(std::span<const double> knots, std::size_t span, int degree, std::sp
 SplineFunction::SplineFunction(std::vector<double> knots, std::vector<double> coefficients,
                                int degree)
     : knots_(std::move(knots)), coefficients_(std::move(coefficients)), degree_(degree) {
-    if (degree < 0 || degree > most_degree) {
-        throw Error("spline.degree", "degree", std::to_string(degree), "must be 0 to 25");
+    if (degree < 0 || degree > BSplineBasis::most_degree) {
+        throw Error("spline.degree", "degree", std::to_string(degree),
+                    "must be 0 to " + std::to_string(BSplineBasis::most_degree));
     }
     require_knots(knots_, coefficients_.size(), degree);
     for (std::size_t j = 0; j < coefficients_.size(); ++j) {
@@ -100,7 +100,7 @@ void SplineFunction::build_pieces() {
     }
     breaks_.push_back(knots_[coefficients_.size()]);
     power_.resize(order * spans_.size());
-    std::array<double, most_degree + 1> local;
+    std::array<double, knots::most_order> local;
     for (std::size_t i = 0; i < spans_.size(); ++i) {
         std::copy_n(coefficients_.begin() + static_cast<std::ptrdiff_t>(spans_[i] - order + 1),
                     order, local.begin());

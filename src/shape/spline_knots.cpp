@@ -6,12 +6,11 @@
 #include "batten/base/text.hpp"
 #include "batten/shape/spline_function.hpp"
 #include "num/banded_qr.hpp"
+#include "shape/knots.hpp"
 
 /// The same function in other B-splines: more knots, fewer knots, a higher degree.
 namespace batten {
 namespace {
-
-constexpr std::size_t most_order = 26;
 
 /// The blossom of the polynomial on knots()[span] ... knots()[span + 1]: symmetric, affine in each
 /// of its `degree` arguments, equal to the polynomial where all are equal.
@@ -19,7 +18,7 @@ constexpr std::size_t most_order = 26;
 double blossom(const SplineFunction& s, std::size_t span, std::span<const double> arguments) {
     const std::span<const double> t = s.knots();
     const int degree = s.degree();
-    std::array<double, most_order> d;
+    std::array<double, knots::most_order> d;
     for (int j = 0; j <= degree; ++j) d[j] = s.coefficients()[span - degree + j];
     for (int level = 1; level <= degree; ++level) {
         const double at = arguments[level - 1];
@@ -146,7 +145,7 @@ KnotRemoval remove_knot(const SplineFunction& spline, std::size_t index) {
 }
 
 SplineFunction elevate_degree(const SplineFunction& spline, int by) {
-    if (by < 1 || spline.degree() + by > static_cast<int>(most_order) - 1) {
+    if (by < 1 || spline.degree() + by > knots::most_order - 1) {
         throw Error("spline.degree", "by", std::to_string(by),
                     "must be positive and lead to degree 25 at most");
     }
@@ -160,7 +159,7 @@ SplineFunction elevate_degree(const SplineFunction& spline, int by) {
     std::vector<double> knots =
         clamped_knots(spline.domain(), inside, static_cast<int>(degree) + 1);
     std::vector<double> c(knots.size() - degree - 2);
-    std::array<double, most_order> arguments;
+    std::array<double, knots::most_order> arguments;
     for (std::size_t j = 0; j < c.size(); ++j) {
         const std::size_t span = span_near(spline, knots, j, degree + 1);
         double sum = 0;

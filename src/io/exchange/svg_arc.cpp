@@ -4,7 +4,7 @@
 
 #include "io/exchange/svg_pieces.hpp"
 
-namespace batten::svg {
+namespace batten::path_data {
 namespace {
 
 /// A turn by an angle.
@@ -95,4 +95,4 @@ void append_arc(std::vector<Piece>& pieces, const Arc& arc) {
     }
 }
 
-}  // namespace batten::svg
+}  // namespace batten::path_data

@@ -10,8 +10,8 @@
 namespace batten {
 namespace {
 
-using svg::Piece;
-using svg::Point;
+using path_data::Piece;
+using path_data::Point;
 
 constexpr std::string_view blanks = " \t\r\n\f";
 
@@ -39,7 +39,8 @@ public:
             skip_blanks();
         }
         if (pieces_.empty()) fail("a segment is needed here");
-        return svg::joined(pieces_, has_ended_ ? svg::Ends::closed : svg::Ends::open);
+        using path_data::Ends;
+        return path_data::joined(pieces_, has_ended_ ? Ends::closed : Ends::open);
     }
 
 private:
@@ -110,7 +111,7 @@ private:
 
     void add_arc() {
         const Point end = point(5);
-        svg::append_arc(pieces_, {current_, {numbers_[0], numbers_[1]}, numbers_[2],
+        path_data::append_arc(pieces_, {current_, {numbers_[0], numbers_[1]}, numbers_[2],
                                   numbers_[3] != 0, numbers_[4] != 0, end});
         current_ = end;
     }

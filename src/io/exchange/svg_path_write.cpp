@@ -11,8 +11,8 @@
 namespace batten {
 namespace {
 
-using svg::Piece;
-using svg::Point;
+using path_data::Piece;
+using path_data::Point;
 
 Point coefficient(const PiecewiseCubic& curve, int power, std::size_t piece) {
     return {curve.coefficients(power, 0)[piece], curve.coefficients(power, 1)[piece]};

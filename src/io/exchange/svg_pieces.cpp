@@ -5,7 +5,7 @@
 #include "batten/shape/bspline.hpp"
 #include "batten/shape/piecewise_cubic.hpp"
 
-namespace batten::svg {
+namespace batten::path_data {
 namespace {
 
 /// Power coefficients 1, 2 and 3 over a parameter interval of length 1; exact zeros beyond the
@@ -94,4 +94,4 @@ Curve joined(const std::vector<Piece>& pieces, Ends ends) {
     return is_rational ? as_rational(pieces, ends) : as_cubics(pieces, ends);
 }
 
-}  // namespace batten::svg
+}  // namespace batten::path_data

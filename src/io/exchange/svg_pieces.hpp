@@ -6,7 +6,7 @@
 #include "batten/shape/curve.hpp"
 
 /// The segments of SVG path data on their way to a curve.
-namespace batten::svg {
+namespace batten::path_data {
 
 struct Point {
     double x = 0;
@@ -52,4 +52,4 @@ void append_arc(std::vector<Piece>& pieces, const Arc& arc);
 enum class Ends { open, closed };
 Curve joined(const std::vector<Piece>& pieces, Ends ends);
 
-}  // namespace batten::svg
+}  // namespace batten::path_data

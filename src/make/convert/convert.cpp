@@ -73,7 +73,7 @@ std::vector<double> halved(const Curve& curve, const Fits& fits) {
 }
 
 /// The largest distance between two curves over the same domain, parameter by parameter.
-double deviation(const Curve& a, const Curve& b) {
+double largest_distance(const Curve& a, const Curve& b) {
     double largest = 0;
     for (std::size_t piece = 0; piece < b.pieces(); ++piece) {
         const Interval part = b.piece(piece);
@@ -172,7 +172,7 @@ Conversion convert(const Curve& original, const ConvertOptions& options) {
     ConvertReport report;
     if (options.as == Form::cubic) {
         const Curve cubic = to_piecewise_cubic(curve, tolerance);
-        report.max_error = deviation(curve, cubic);
+        report.max_error = largest_distance(curve, cubic);
         curve = cubic;
     } else if (options.as == Form::polyline) {
         const std::vector<double> breaks = polyline_breaks(curve, tolerance);

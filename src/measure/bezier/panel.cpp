@@ -11,7 +11,7 @@ using bernstein::Coefficients;
 constexpr double widest_radius = 1024;
 /// Beyond this many nodes halving is cheaper, as it at least doubles the distance of the zeros.
 constexpr int most_length_nodes = 24, most_power_nodes = 40;
-constexpr int most_halvings = 70;
+constexpr int most_panel_halvings = 70;
 
 void cut_into_panels(const Panel& panel, int halvings, const auto& accept, const auto& half,
                      std::vector<Panel>& out) {
@@ -134,7 +134,7 @@ std::vector<Panel> Panels::for_length(const Stretch& stretch, double allowed) co
         const double most = 2 * panel.half * panel.size_within(1) * panel.rest_factor_within(1);
         panel.nodes = 2;
         panel.error = most;
-        if (most <= allowed || halvings == most_halvings) return true;
+        if (most <= allowed || halvings == most_panel_halvings) return true;
         const double rho = panel.analytic_radius(1);
         if (rho == 0) return false;
         const double within = panel.half * std::sqrt(2.0) * coefficient_norm(panel.p, panel.dim, 0) *
@@ -152,7 +152,7 @@ std::vector<Panel> Panels::for_length(const Stretch& stretch, double allowed) co
 std::vector<Panel> Panels::for_powers(const Stretch& stretch) const {
     bool is_complete = true;
     const auto accept = [&](Panel& panel, int halvings) {
-        if (halvings == most_halvings) is_complete = false;
+        if (halvings == most_panel_halvings) is_complete = false;
         if (!is_complete) return true;
         const double rho = panel.analytic_radius(0.5);
         if (rho < 2) return false;

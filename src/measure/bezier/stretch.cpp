@@ -51,28 +51,28 @@ std::vector<double> rests(const Stretch& s, double largest) {
     return result;
 }
 
-enum class End { start, end };
+enum class Tip { start, end };
 
-Stretch without_rest(const Stretch& s, End end) {
+Stretch without_rest(const Stretch& s, Tip tip) {
     Stretch result = s;
     result.p = Coefficients(static_cast<std::size_t>(s.dim) * s.degree());
     for (int k = 0; k < s.dim; ++k) {
-        const Coefficients c = end == End::start
+        const Coefficients c = tip == Tip::start
                                    ? bernstein::without_zero_at_start(s.coordinate(k))
                                    : bernstein::without_zero_at_end(s.coordinate(k));
         std::copy(c.begin(), c.end(), result.p.data() + static_cast<std::size_t>(k) * c.size());
     }
-    ++(end == End::start ? result.zeros_lo : result.zeros_hi);
+    ++(tip == Tip::start ? result.zeros_lo : result.zeros_hi);
     return result;
 }
 
 /// Takes the factors w and 1 - w out of p.
 Stretch in_motion(Stretch s) {
     while (s.degree() > 0 && coefficient_norm(s.p, s.dim, 0) <= rest_at_end * s.largest()) {
-        s = without_rest(s, End::start);
+        s = without_rest(s, Tip::start);
     }
     while (s.degree() > 0 && coefficient_norm(s.p, s.dim, s.degree()) <= rest_at_end * s.largest()) {
-        s = without_rest(s, End::end);
+        s = without_rest(s, Tip::end);
     }
     return s;
 }

@@ -3,8 +3,6 @@
 namespace batten::pseudo {
 namespace {
 
-constexpr std::size_t fixed = SpanUnknowns::fixed;
-
 enum class Joint {
     smooth,  // one tangent
     split,   // a corner or an end: two
@@ -45,6 +43,7 @@ Unknowns number_unknowns(std::size_t points, const AngleRules& rules) {
 }
 
 Unknowns within_window(const Unknowns& all, std::size_t first, std::size_t spans) {
+    constexpr std::size_t fixed = SpanUnknowns::fixed;
     const std::size_t n = all.of_span.size();
     const auto span = [&](std::size_t k) { return all.of_span[(first + k) % n]; };
     Unknowns window;
