@@ -23,7 +23,8 @@ target_compile_options(batten_flags INTERFACE -Wall -Wextra -Wconversion -Wno-si
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # g++ 12 and 13 see overlapping copies and crossed bounds in texts made from literals (their
     # bugs 105651 and 105762).
-    target_compile_options(batten_flags INTERFACE -Wno-restrict -Wno-array-bounds)
+    target_compile_options(batten_flags INTERFACE -Wno-restrict -Wno-array-bounds
+                           -Wno-stringop-overflow -Wno-stringop-overread)
 endif()
 target_include_directories(batten_flags INTERFACE ${PROJECT_SOURCE_DIR}/include
                            ${PROJECT_SOURCE_DIR}/src)

@@ -6,6 +6,7 @@
 #include "command_line.hpp"
 #include "inputs.hpp"
 #include "outputs.hpp"
+#include "progress_line.hpp"
 #include "summary.hpp"
 
 namespace {
@@ -27,7 +28,10 @@ int run(int argc, char** argv) {
 
     const std::vector<batten::Input> inputs = read_inputs(command);
     const std::vector<batten::Setting> settings = read_settings(command, inputs);
-    const batten::Outcome outcome = command.operation->run(inputs, settings);
+    const batten::Outcome outcome = [&] {
+        ProgressLine line(command);
+        return command.operation->run(inputs, settings, line.progress());
+    }();
 
     for (const Written& written : render(command, outcome)) write(written);
     if (!command.quiet) std::cerr << summary(*command.operation, outcome);

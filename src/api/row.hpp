@@ -21,7 +21,7 @@ struct Head {
 };
 
 /// A row from an options struct and `run(inputs, options) -> Outcome`; the outcome's options are
-/// filled in here.
+/// filled in here, and options with a member `progress` get it.
 template <class Options>
 Operation row(Head head, Outcome (*run)(std::span<const Input>, const Options&)) {
     return {head.name,
@@ -30,8 +30,10 @@ Operation row(Head head, Outcome (*run)(std::span<const Input>, const Options&))
             head.many_inputs,
             head.output,
             describe<Options>(),
-            [run](std::span<const Input> inputs, const std::vector<Setting>& settings) {
-                const Options options = options_from<Options>(settings);
+            [run](std::span<const Input> inputs, const std::vector<Setting>& settings,
+                  const Progress& progress) {
+                Options options = options_from<Options>(settings);
+                if constexpr (requires { options.progress; }) options.progress = progress;
                 Outcome outcome = run(inputs, options);
                 outcome.options = options_value(options);
                 return outcome;

@@ -138,6 +138,14 @@ class Results(Folder):
             self.assertIn("--report", self.good(verb, "--help").stdout)
         self.assertIn("--weight-exponent", self.good("interpolate", "--help").stdout)
 
+    def test_progress_is_told_on_standard_error_only_when_it_is_wanted(self):
+        file = self.file("wave.csv", "".join(f"{i},{i % 3}\n" for i in range(60)))
+        done = self.good("interpolate", file, "--quiet", "--progress", "always")
+        lines = done.stderr.splitlines()
+        self.assertTrue(all(line.startswith("batten interpolate: ") for line in lines), lines)
+        self.assertEqual(lines[-1], "batten interpolate: 100 %")
+        self.assertEqual(self.good("interpolate", file, "--quiet").stderr, "")
+
     def test_the_version_is_the_one_in_the_file(self):
         with open(os.path.join(POINTS, "..", "..", "VERSION"), encoding="utf-8") as stream:
             self.assertEqual(self.good("--version").stdout.strip(), stream.read().strip())

@@ -9,6 +9,7 @@
 
 #include "batten/base/fields.hpp"
 #include "batten/base/points.hpp"
+#include "batten/base/progress.hpp"
 #include "batten/base/value.hpp"
 #include "batten/io/draw/drawing.hpp"
 #include "batten/io/table.hpp"
@@ -80,7 +81,9 @@ struct Operation {
     std::vector<Field> fields;
     /// Runs it. Throws `Error` on bad input: `option.unknown`, `option.value`, `option.range`,
     /// `option.choice`, `input.kind`, and whatever the operation's own header says.
-    std::function<Outcome(std::span<const Input>, const std::vector<Setting>&)> run;
+    /// Throws `Cancelled` where the progress is told to stop.
+    std::function<Outcome(std::span<const Input>, const std::vector<Setting>&, const Progress&)>
+        run;
 };
 
 /// All operations, in the order a person meets them.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "batten/base/fields.hpp"
+#include "batten/base/progress.hpp"
 
 namespace batten {
 
@@ -74,6 +75,7 @@ struct InterpolateOptions {
     std::vector<FixedTangent> tangent;
     double weight_exponent = 1;
     std::optional<IndexRange> part;
+    Progress progress = {};
 };
 
 template <class Options, class Visit>

@@ -18,7 +18,9 @@ Curve part_of(PiecewiseCubic curve, const InterpolateOptions& options) {
 Interpolation interpolate(PointsView points, const InterpolateOptions& options) {
     using interpolation::Side;
     interpolation::Request request = interpolation::checked(points, options);
-    interpolation::Built built = interpolation::built(request, options);
+    InterpolateOptions building = options;
+    building.progress = options.progress.stage(0, 0.95);
+    interpolation::Built built = interpolation::built(request, building);
     Interpolation result{part_of(std::move(built.curve), options), {}};
     InterpolateReport& report = result.report;
     report.status = built.status;
@@ -31,6 +33,7 @@ Interpolation interpolate(PointsView points, const InterpolateOptions& options) 
             report.tangent_angles_in = interpolation::joint_angles(result.curve, Side::arriving);
         }
     }
+    options.progress.at(1, 1);
     return result;
 }
 

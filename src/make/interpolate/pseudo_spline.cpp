@@ -14,7 +14,8 @@ namespace batten::interpolation {
 namespace {
 
 pseudo::AngleRules rules_of(const Outline& outline, const InterpolateOptions& options) {
-    return {outline.closed, options.weight_exponent, options.tangent, outline.corners};
+    return {outline.closed, options.weight_exponent, options.tangent, outline.corners,
+            options.progress};
 }
 
 /// The points at a scale where no square leaves the range of a double: angles stay the same bits.
@@ -43,21 +44,27 @@ PiecewiseCubic planar_curve(const Outline& outline, const std::vector<PseudoSegm
     return hermite_curve(outline, derivatives);
 }
 
-PiecewiseCubic space_curve(const Outline& outline, double weight_exponent) {
-    const Tangents tangents = space_tangents(outline, weight_exponent);
+PiecewiseCubic space_curve(const Outline& outline, const InterpolateOptions& options) {
+    const Tangents tangents = space_tangents(outline, options.weight_exponent);
     return hermite_curve(outline,
-                         derivatives_of(outline, tangents, space_magnitudes(outline, tangents)));
+                         derivatives_of(outline, tangents,
+                                        space_magnitudes(outline, tangents, options.progress)));
 }
 
 }  // namespace
 
 Built pseudo_spline(const Outline& outline, const InterpolateOptions& options) {
     if (outline.points.dim() == 3)
-        return {space_curve(outline, options.weight_exponent), Status::met, {}};
+        return {space_curve(outline, options), Status::met, {}};
+    pseudo::AngleRules rules = rules_of(outline, options);
+    rules.progress = options.progress.stage(0, 0.75);
+    const Progress rest = options.progress.stage(0.75, 1);
+    const std::vector<pseudo::SpanAngles> spans =
+        pseudo::local_angles(of_middling_size(outline), rules);
     std::vector<PseudoSegment> segments;
-    for (const pseudo::SpanAngles& span :
-         pseudo::local_angles(of_middling_size(outline), rules_of(outline, options))) {
+    for (const pseudo::SpanAngles& span : spans) {
         segments.push_back(least_pseudo_segment(span.theta0, span.theta1));
+        rest.at(segments.size(), spans.size());
     }
     return {planar_curve(outline, segments), Status::met, {}};
 }

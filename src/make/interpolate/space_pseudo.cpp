@@ -84,7 +84,8 @@ Tangents space_tangents(const Outline& outline, double weight_exponent) {
     });
 }
 
-Magnitudes space_magnitudes(const Outline& outline, const Tangents& tangents) {
+Magnitudes space_magnitudes(const Outline& outline, const Tangents& tangents,
+                            const Progress& progress) {
     const std::size_t n = outline.points.size();
     Magnitudes result;
     for (std::size_t i = 0; i < outline.chords.lengths.size(); ++i) {
@@ -93,6 +94,7 @@ Magnitudes space_magnitudes(const Outline& outline, const Tangents& tangents) {
         const PseudoSegment segment = blended(chord, tangents.out[i], tangents.in[next]);
         result.start.push_back(segment.r0);
         result.end.push_back(segment.r1);
+        progress.at(i + 1, outline.chords.lengths.size());
     }
     return result;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "batten/base/progress.hpp"
 #include "make/interpolate/hermite.hpp"
 
 /// The pseudo-spline in space: what of it is a minimum, and what is not.
@@ -15,6 +16,7 @@ Tangents space_tangents(const Outline& outline, double weight_exponent);
 /// For each chord the magnitudes that are least where both tangents are turned into one plane, to
 /// the same and to opposite sides of the chord; between these two by (1 + cos d) / 2 and
 /// (1 - cos d) / 2 for the angle d between the planes. Exact where all is in a plane (d = 0, pi).
-Magnitudes space_magnitudes(const Outline& outline, const Tangents& tangents);
+Magnitudes space_magnitudes(const Outline& outline, const Tangents& tangents,
+                            const Progress& progress);
 
 }  // namespace batten::interpolation

@@ -95,6 +95,7 @@ std::vector<SpanAngles> Joints::solve() {
     }
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         if (has_rule[i]) put_rule(i);
+        rules_.progress.at(i + 1, joints_.size());
     }
     for (const FixedTangent& tangent : rules_.tangents) put_fixed(tangent);
     for (std::size_t i = 0; i < spans_.size(); ++i) {

@@ -4,6 +4,7 @@
 
 #include "batten/base/fields.hpp"
 #include "batten/base/points.hpp"
+#include "batten/base/progress.hpp"
 
 namespace batten::pseudo {
 
@@ -13,6 +14,7 @@ struct AngleRules {
     double weight_exponent = 1;
     std::vector<FixedTangent> tangents;  // absolute directions
     std::vector<int> corners;            // points where both sides end freely
+    Progress progress = {};
 };
 
 /// A chord between neighbouring points and the end tangents of its span.

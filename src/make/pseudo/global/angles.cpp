@@ -42,7 +42,7 @@ public:
     Search(std::vector<WeighedSpan> spans, const Unknowns& unknowns)
         : spans_(std::move(spans)), unknowns_(unknowns) {}
 
-    void run();
+    void run(const Progress& progress);
     /// The spans where the search has ended, with the sum and its gradient.
     GlobalDescent end() const { return {spans_, unknowns_}; }
     int steps() const { return steps_; }
@@ -134,7 +134,7 @@ bool Search::try_all(std::size_t span) {
     return try_kicks(span) || has_passed;
 }
 
-void Search::run() {
+void Search::run(const Progress& progress) {
     settle();
     const std::size_t n = spans_.size();
     std::vector<bool> is_due(n, true);
@@ -142,7 +142,10 @@ void Search::run() {
     for (int k = 0; k < most_sweeps && has_changed; ++k) {
         has_changed = false;
         std::vector<bool> is_due_again(n, false);
+        // Each sweep has far fewer spans to try than the one before.
+        const Progress sweep = progress.stage(1 - std::ldexp(1, -3 * k), 1 - std::ldexp(1, -3 * k - 3));
         for (std::size_t i = 0; i < n; ++i) {
+            sweep.at(i, n);
             if (!is_due[i] || !try_all(i)) continue;
             has_changed = true;
             const std::size_t first = i + n - std::min(window_reach, n - 1);
@@ -163,11 +166,13 @@ double longest_of(const std::vector<SpanAngles>& spans) {
 
 GlobalSpline global_angles(PointsView points, const AngleRules& rules) {
     const Unknowns unknowns = number_unknowns(points.size(), rules);
-    const std::vector<SpanAngles> local = local_angles(points, rules);
+    AngleRules first = rules;
+    first.progress = rules.progress.stage(0, 0.1);
+    const std::vector<SpanAngles> local = local_angles(points, first);
     const double longest = longest_of(local);
     const double unit = std::pow(longest, rules.weight_exponent);
     Search search(weighed(local, longest, rules.weight_exponent), unknowns);
-    search.run();
+    search.run(rules.progress.stage(0.1, 1));
 
     const GlobalDescent end = search.end();
     GlobalSpline result{local, {}, unit * end.energy(), unit * end.largest_gradient()};
