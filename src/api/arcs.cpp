@@ -73,7 +73,10 @@ Drawing picture(const ArcFit& fit, const Layer& given) {
     add_arcs(drawing, fit.chain);
     const std::span<const double> joints = fit.chain.breaks();
     drawing.add(TicksLayer{fit.chain, {joints.begin(), joints.end()}, {}, Tone::ink});
-    drawing.panels.push_back(error_chart(fit));
+    // A chain through all points has no error to show: then how its curvature changes.
+    drawing.panels.push_back(fit.report.max_error > 0 ? error_chart(fit)
+                                                      : curvature_plot(fit.chain));
+    if (fit.report.max_error == 0) drawing.panels.back().caption = "curvature of the arcs";
     return drawing;
 }
 

@@ -4,6 +4,7 @@
 
 #include "batten/base/error.hpp"
 #include "batten/shape/arc_chain.hpp"
+#include "batten/shape/transform.hpp"
 
 namespace batten::api {
 namespace {
@@ -32,14 +33,13 @@ DxfOptions dxf_options(const MachineOptions& options) {
 /// The moves of a machine: the chain itself, or the lines of a polyline.
 ArcChain moves_of(const Curve& curve) {
     if (const ArcChain* chain = curve.shape<ArcChain>()) return *chain;
-    if (curve.dim() != 2 || curve.degree() != 1) {
+    std::optional<Points> joints = exact_polyline(curve);
+    if (curve.dim() != 2 || !joints) {
         throw Error("curve.not-exact", "curve",
                     curve.dim() != 2 ? std::to_string(curve.dim()) + " coordinates" : "no arcs",
                     "G-code takes arcs and lines of the plane: convert the curve to arcs first");
     }
-    Points joints(curve.breaks().size(), 2);
-    curve.jets(curve.breaks(), 0, joints.coordinates());
-    return {std::move(joints), std::vector<double>(curve.pieces(), 0.0)};
+    return {*std::move(joints), std::vector<double>(curve.pieces(), 0.0)};
 }
 
 }  // namespace

@@ -62,8 +62,8 @@ void visit_fields(Options& o, Visit&& visit) {
 /// | curve | r2000 | r12 |
 /// |---|---|---|
 /// | `ArcChain` | LWPOLYLINE with bulges, or ARC and LINE | POLYLINE with bulges, or ARC and LINE |
-/// | degree 1 in the plane | LWPOLYLINE | POLYLINE |
-/// | degree 1 in space | POLYLINE (3-D) | the same |
+/// | straight pieces in the plane | LWPOLYLINE | POLYLINE |
+/// | straight pieces in space | POLYLINE (3-D) | the same |
 /// | `BSplineCurve` of degree 2 or 3, rational too | SPLINE, its own knots | error |
 /// | other cubic pieces | SPLINE: Bezier pieces, every knot three times | error |
 ///

@@ -113,6 +113,7 @@ struct Densified {
 /// steps; an arc needs 254 degrees for that): its window is taken again with
 /// centripetal, then with chord parameters, and at last the cell is made straight.
 ///
+/// Cost: about 0.2 us a point, nearly all of it for the report; `densify_into` makes points alone.
 /// Accuracy: 4 ulps x the Lebesgue constant of the window x the points' largest coordinate.
 /// Laws: points x 2^k give results x 2^k exactly.
 /// Throws `points.not-finite`, `points.repeated`, `points.too-few` (degree + 1, closed also 3),
@@ -127,7 +128,8 @@ std::size_t densified_count(std::size_t points, const DensifyOptions& options);
 /// The points of `densify` alone, bit for bit, into `out` (densified_count x dim numbers), for a
 /// fixed number `between`. No report, and no allocation for index parameters.
 ///
-/// Cost: about 1 ns a point of the plane (cubic, index parameters, 3 between).
+/// Cost: about 1.4 ns a point of the plane (cubic, index parameters, 3 between); 22 ns with other
+/// parameters.
 void densify_into(PointsView points, const DensifyOptions& options, std::span<double> out);
 
 /// The factors of the points at `nodes` in the value at t of the polynomial through all of them.

@@ -118,7 +118,8 @@ void Entities::arc(const Arc& arc) {
     const auto angle = [&](const std::array<double, 2>& p) {
         const double degrees =
             std::atan2(p[1] - center[1], p[0] - center[0]) * (180 / std::numbers::pi);
-        return degrees < 0 ? degrees + 360 : degrees;
+        // What is below 0 by a rounding is 0 and not 360.
+        return degrees < 0 && degrees + 360 < 360 ? degrees + 360 : std::max(degrees, 0.0);
     };
     begin("ARC", "AcDbCircle");
     point(10, center);
@@ -155,15 +156,6 @@ void Entities::spline(const BSplineCurve& curve, bool closed) {
     }
 }
 
-Points joints_of(const Curve& curve) {
-    Points points(0, curve.dim());
-    for (std::size_t i = 0; i < curve.pieces(); ++i) {
-        points.push_back(curve.jet_on(i, curve.piece(i).lo, 0)[0]);
-    }
-    points.push_back(curve.jet_on(curve.pieces() - 1, curve.domain().hi, 0)[0]);
-    return points;
-}
-
 /// The same pieces, not closed.
 PiecewiseCubic opened(const PiecewiseCubic& curve) {
     std::vector<double> block;
@@ -184,7 +176,9 @@ void Entities::add(const Curve& curve) {
                     "a drawing takes 2 or 3");
     }
     if (const ArcChain* chain = curve.shape<ArcChain>()) return arcs(*chain);
-    if (curve.degree() == 1) return polyline(joints_of(curve), {}, curve.is_closed());
+    if (const std::optional<Points> joints = exact_polyline(curve)) {
+        return polyline(*joints, {}, curve.is_closed());
+    }
     const BSplineCurve* whole = curve.shape<BSplineCurve>();
     if (whole && whole->basis().degree() <= 3 && !whole->is_closed()) return spline(*whole, false);
     if (const std::optional<PiecewiseCubic> cubic = exact_cubic(curve)) {

@@ -10,6 +10,11 @@
 #include "batten/make/densify.hpp"
 
 namespace batten::interpolation {
+namespace {
+
+constexpr double rounding = 1e-9;  ///< radians: no jump that anybody can see
+
+}  // namespace
 
 Built lagrange_windows(const Outline& outline, const InterpolateOptions& options, int degree) {
     DensifyOptions windows;
@@ -28,7 +33,7 @@ Built lagrange_windows(const Outline& outline, const InterpolateOptions& options
         built.notes.push_back("spans that strayed from their chords and were made anew: " +
                               std::to_string(made.report.tamed_cells.size()));
     }
-    if (made.report.max_tangent_jump > 0) {
+    if (made.report.max_tangent_jump > rounding) {
         const double degrees = made.report.max_tangent_jump * 180 / std::numbers::pi;
         built.notes.push_back("the tangent jumps at the points, by up to " +
                               format_fixed(degrees, 3) + " degrees");
