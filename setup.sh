@@ -5,7 +5,7 @@ set -euo pipefail
 declare -A packages=(
     [core]="g++ cmake ninja-build make libeigen3-dev libboost-dev libcli11-dev libfmt-dev
             nlohmann-json3-dev"
-    [test]="libgtest-dev librapidcheck-dev python3 pkg-config"
+    [test]="libgtest-dev librapidcheck-dev python3 python3-ezdxf pkg-config"
     [clang]="clang libclang-rt-dev"
     [wasm]="emscripten"
     [draw]="librsvg2-bin"

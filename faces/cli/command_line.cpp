@@ -56,7 +56,7 @@ void add_common(CLI::App& verb, const Operation& operation, Command& command) {
     const std::string group = "Input and output";
     verb.add_option("-o,--output", command.output, "write the result to this file, its form by suffix")
         ->type_name("FILE")->group(group);
-    verb.add_option("--format", command.format, "the form to write: json, csv, svg, npy")
+    verb.add_option("--format", command.format, "the form to write: json, csv, svg, npy, dxf, gcode")
         ->type_name("NAME")->group(group);
     verb.add_option("--report", command.report, "write the report as JSON, - for standard output")
         ->type_name("FILE")->group(group);

@@ -6,6 +6,7 @@
 
 #include "batten/base/error.hpp"
 #include "batten/io/curve_file.hpp"
+#include "batten/io/dxf.hpp"
 #include "batten/io/files.hpp"
 #include "batten/io/json.hpp"
 #include "batten/io/svg_path.hpp"
@@ -33,11 +34,20 @@ std::vector<double> sample_parameters(const Curve& curve) {
     return t;
 }
 
-std::string text_of(const Curve& curve, const std::string& format) {
+/// `allowed`, and the outcome's own forms.
+std::string with_forms(std::string allowed, const Outcome& outcome) {
+    for (const OutputForm& form : outcome.forms) {
+        if (form.name != "dxf") allowed += ", " + form.name;
+    }
+    return allowed;
+}
+
+std::string text_of(const Curve& curve, const std::string& format, const Outcome& outcome) {
     if (format == "json") return dump_json(curve_value(curve));
     if (format == "svg") return svg_picture(curve);
+    if (format == "dxf") return dxf(curve);
     if (format == "csv") return csv_samples(curve, sample_parameters(curve));
-    refuse_format(format, "json, svg, csv");
+    refuse_format(format, with_forms("json, svg, csv, dxf", outcome));
 }
 
 std::string text_of(const Rows& rows, const std::string& format) {
@@ -58,7 +68,12 @@ std::string report_text(const Command& command, const Outcome& outcome) {
 
 std::string output_text(const Command& command, const Outcome& outcome,
                         const std::string& format) {
-    if (const Curve* curve = std::get_if<Curve>(&outcome.output)) return text_of(*curve, format);
+    for (const OutputForm& form : outcome.forms) {
+        if (form.name == format) return form.text();
+    }
+    if (const Curve* curve = std::get_if<Curve>(&outcome.output)) {
+        return text_of(*curve, format, outcome);
+    }
     if (const Rows* rows = std::get_if<Rows>(&outcome.output)) return text_of(*rows, format);
     if (const auto* drawing = std::get_if<Drawing>(&outcome.output)) {
         return text_of(*drawing, format);

@@ -14,6 +14,7 @@
 #include "batten/base/value.hpp"
 
 // Shapes.
+#include "batten/shape/arc_chain.hpp"
 #include "batten/shape/basis.hpp"
 #include "batten/shape/bspline.hpp"
 #include "batten/shape/curve.hpp"
@@ -37,16 +38,22 @@
 #include "batten/measure/nearest.hpp"
 
 // Curves from points, and from other curves.
+#include "batten/make/arcs.hpp"
 #include "batten/make/convert.hpp"
+#include "batten/make/densify.hpp"
 #include "batten/make/interpolate.hpp"
 #include "batten/make/pseudo_segment.hpp"
+#include "batten/make/thin.hpp"
 
 // Reading, writing, drawing.
 #include "batten/io/curve_file.hpp"
 #include "batten/io/draw/drawing.hpp"
 #include "batten/io/draw/layers.hpp"
+#include "batten/io/dxf.hpp"
 #include "batten/io/files.hpp"
+#include "batten/io/gcode.hpp"
 #include "batten/io/json.hpp"
+#include "batten/io/svg_arcs.hpp"
 #include "batten/io/svg_path.hpp"
 #include "batten/io/table.hpp"
 #include "batten/io/write_points.hpp"

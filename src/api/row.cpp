@@ -4,6 +4,7 @@
 
 #include "batten/base/error.hpp"
 #include "batten/io/table.hpp"
+#include "batten/io/write_points.hpp"
 
 namespace batten::api {
 namespace {
@@ -31,6 +32,15 @@ const PointsInput& points_input(std::span<const Input> inputs) {
 }
 
 Points points_of(const PointsInput& input) { return batten::points_of(input.table, input.columns); }
+
+std::vector<std::string> names_given(const PointsInput& input) {
+    if (input.table.names.empty()) return coordinate_names(static_cast<int>(input.columns.size()));
+    std::vector<std::string> names;
+    for (const int column : input.columns) {
+        names.push_back(input.table.names[static_cast<std::size_t>(column)]);
+    }
+    return names;
+}
 
 Error with_lines(const Error& error, const PointsInput& input) {
     if (error.code().rfind("points.", 0) != 0) return error;

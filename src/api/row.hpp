@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -49,6 +50,9 @@ const PointsInput& points_input(std::span<const Input> inputs);
 /// The coordinates of a points input.
 Points points_of(const PointsInput& input);
 
+/// What its coordinate columns are called: as in the file, else x, y, z.
+std::vector<std::string> names_given(const PointsInput& input);
+
 /// `error` with the file's name, and the lines of its rows where it names any.
 Error with_lines(const Error& error, const PointsInput& input);
 
@@ -64,6 +68,9 @@ auto naming_lines(const PointsInput& input, Work work) -> decltype(work()) {
 
 /// The rows of the table, one function each, in the folder's files of the same name.
 Operation interpolate_row();
+Operation densify_row();
+Operation thin_row();
+Operation arcs_row();
 Operation measure_row();
 Operation evaluate_row();
 Operation compare_row();

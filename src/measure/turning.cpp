@@ -5,6 +5,7 @@
 #include "measure/areas.hpp"
 #include "measure/bezier/bend.hpp"
 #include "measure/bends.hpp"
+#include "shape/plane.hpp"
 
 namespace batten {
 namespace bezier {
@@ -12,15 +13,11 @@ namespace {
 
 using bernstein::View;
 
-struct Vector {
-    double x = 0, y = 0;
-};
-
 /// A turning that misses -pi by less than this is half a turn, and that is to the left.
 constexpr double half_turn_margin = 0x1p-30;
 
 /// The angle from a to b in (-pi, pi].
-double angle_between(Vector a, Vector b) {
+double turn_between(plane::Vector a, plane::Vector b) {
     const double angle = std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
     return angle < -std::numbers::pi + half_turn_margin ? angle + 2 * std::numbers::pi : angle;
 }
@@ -29,17 +26,17 @@ bool is_half_turn(double angle) {
     return std::fabs(angle) > std::numbers::pi - half_turn_margin;
 }
 
-Vector direction_at_start(const Stretch& s) {
+plane::Vector direction_at_start(const Stretch& s) {
     return {s.coordinate(0).front(), s.coordinate(1).front()};
 }
-Vector direction_at_end(const Stretch& s) {
+plane::Vector direction_at_end(const Stretch& s) {
     return {s.coordinate(0).back(), s.coordinate(1).back()};
 }
 
 /// How far the direction (x, y) turns over [0, 1]. If all coefficients lie in one half-plane the
 /// direction stays in it, and the angle between the ends is the whole truth.
 double turning_of(View x, View y, int halvings) {
-    Vector mean;
+    plane::Vector mean;
     for (std::size_t i = 0; i < x.size(); ++i) {
         mean.x += x[i];
         mean.y += y[i];
@@ -50,7 +47,7 @@ double turning_of(View x, View y, int halvings) {
     }
     constexpr int most_halvings = 60;
     if (is_within_half_plane || halvings == most_halvings) {
-        return angle_between({x.front(), y.front()}, {x.back(), y.back()});
+        return turn_between({x.front(), y.front()}, {x.back(), y.back()});
     }
     const bernstein::Halves hx = bernstein::split(x, 0.5), hy = bernstein::split(y, 0.5);
     return turning_of(hx.left, hy.left, halvings + 1) +
@@ -62,10 +59,10 @@ std::vector<double> corners(const Motion& motion) {
     std::vector<double> result;
     const std::vector<Stretch>& s = motion.stretches;
     for (std::size_t i = 0; i + 1 < s.size(); ++i) {
-        result.push_back(angle_between(direction_at_end(s[i]), direction_at_start(s[i + 1])));
+        result.push_back(turn_between(direction_at_end(s[i]), direction_at_start(s[i + 1])));
     }
     if (motion.pieces.curve().is_closed() && !s.empty()) {
-        result.push_back(angle_between(direction_at_end(s.back()), direction_at_start(s[0])));
+        result.push_back(turn_between(direction_at_end(s.back()), direction_at_start(s[0])));
     }
     return result;
 }

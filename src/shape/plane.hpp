@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <span>
 
 #include "batten/base/points.hpp"
 
@@ -34,6 +35,7 @@ inline Vector unit(Vector a) { return (1 / norm(a)) * a; }
 /// The angle from a to b, in [-pi, pi], positive to the left.
 inline double angle_between(Vector a, Vector b) { return std::atan2(cross(a, b), dot(a, b)); }
 
+inline Vector vector(std::span<const double> a) { return {a[0], a[1]}; }
 inline Vector at(PointsView points, std::size_t row) { return {points(row, 0), points(row, 1)}; }
 
 }  // namespace batten::plane

@@ -98,4 +98,25 @@ std::optional<PiecewiseCubic> exact_cubic(const Curve& curve) {
                                  curve.is_closed());
 }
 
+std::optional<Points> exact_polyline(const Curve& curve) {
+    if (const PiecewiseCubic* cubic = curve.shape<PiecewiseCubic>()) {
+        for (int power = 2; power <= 3; ++power) {
+            for (int k = 0; k < cubic->dim(); ++k) {
+                const std::span<const double> c = cubic->coefficients(power, k);
+                if (std::any_of(c.begin(), c.end(), [](double x) { return x != 0; })) {
+                    return std::nullopt;
+                }
+            }
+        }
+        return Points(cubic->joints());
+    }
+    if (curve.degree() != 1) return std::nullopt;
+    Points joints(0, curve.dim());
+    for (std::size_t i = 0; i < curve.pieces(); ++i) {
+        joints.push_back(curve.jet_on(i, curve.piece(i).lo, 0)[0]);
+    }
+    joints.push_back(curve.jet_on(curve.pieces() - 1, curve.domain().hi, 0)[0]);
+    return joints;
+}
+
 }  // namespace batten

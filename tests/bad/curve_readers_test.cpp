@@ -31,6 +31,9 @@ std::string cubic(const std::string& entries) {
 std::string spline(const std::string& entries) {
     return curve("{\"format\": \"batten.curve/1\", \"kind\": \"b-spline\", " + entries + "}");
 }
+std::string arcs(const std::string& entries) {
+    return curve("{\"format\": \"batten.curve/1\", \"kind\": \"arcs\", " + entries + "}");
+}
 std::string path(const std::string& data) {
     return complaint([&] { parse_svg_path(data, "c"); });
 }
@@ -51,9 +54,25 @@ TEST(BadCurveFile, OfAnotherFormatOrKindIsRefused) {
               "curve.format: c: a list of 2" + rule);
     EXPECT_EQ(curve(" \n"), "file.empty: c: no curve: the file must hold a curve");
     EXPECT_EQ(curve("{\"format\": \"batten.curve/1\", \"kind\": \"circle\"}"),
-              "curve.kind: c, entry kind: circle: piecewise-cubic or b-spline is needed here");
+              "curve.kind: c, entry kind: circle: piecewise-cubic, b-spline or arcs is needed here");
     EXPECT_EQ(curve("{\"format\": \"batten.curve/1\"}").substr(0, 31),
               "curve.kind: c, entry kind: miss");
+}
+
+TEST(BadCurveFile, OfArcsThatAreNoneIsRefused) {
+    EXPECT_EQ(arcs(points + "\"bulges\": [0.5]"), "none");
+    EXPECT_EQ(arcs(points + "\"bulges\": [0.5, 1]"),
+              "curve.entry: c, entry bulges: a list of 2: 1 entries are needed here");
+    EXPECT_EQ(arcs(points + "\"closed\": false"),
+              "curve.entry: c, entry bulges: missing: a list is needed here");
+    EXPECT_EQ(arcs(points + "\"bulges\": [1e-320]").substr(0, 13), "curve.arcs: c");
+    EXPECT_EQ(arcs(points + "\"closed\": true, \"bulges\": [1]").substr(0, 13), "curve.arcs: c");
+    EXPECT_EQ(arcs("\"points\": [[0, 0], [0, 0]], \"bulges\": [1]").substr(0, 19),
+              "points.all-equal: c");
+    EXPECT_EQ(arcs("\"points\": [[0, 0], [0, 0], [1, 0]], \"bulges\": [1, 1]").substr(0, 18),
+              "points.repeated: c");
+    EXPECT_EQ(arcs("\"points\": [[0, 0, 0], [1, 0, 0]], \"bulges\": [1]").substr(0, 19),
+              "points.dimension: c");
 }
 
 TEST(BadCurveFile, WithAWrongEntryIsRefused) {

@@ -10,6 +10,7 @@
 #include "batten/io/svg_path.hpp"
 #include "batten/io/table.hpp"
 #include "batten/io/write_points.hpp"
+#include "batten/shape/arc_chain.hpp"
 #include "batten/shape/bspline.hpp"
 #include "batten/shape/piecewise_cubic.hpp"
 #include "batten/shape/transform.hpp"
@@ -192,6 +193,19 @@ TEST(SvgPath, OfAScaledCurveIsScaledExactly) {
     for (int i = 0; i <= 40; ++i) {
         const double t = a.domain().hi * (i / 40.0);
         EXPECT_EQ(a(t), b(t));
+    }
+}
+
+TEST(WrittenArcs, ReadBackToTheSameChain) {
+    Random random(6);
+    for (int round = 0; round < 50; ++round) {
+        Points joints = random.points(7, 2);
+        if (round % 2 == 1) joints.push_back(joints.view()[0]);
+        std::vector<double> bulges;
+        while (bulges.size() + 1 < joints.size()) bulges.push_back(random.within(-2, 2));
+        bulges[3] = 0;
+        const ArcChain chain(joints, bulges, round % 2 == 1);
+        EXPECT_EQ(*reread(chain).shape<ArcChain>(), chain);
     }
 }
 

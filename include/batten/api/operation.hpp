@@ -64,12 +64,19 @@ struct Rows {
 enum class OutputKind { report, curve, rows, drawing };
 using Output = std::variant<std::monostate, Curve, Rows, Drawing>;
 
+/// One more form in which an output can be written, made only when somebody wants it.
+struct OutputForm {
+    std::string name;  ///< the suffix of its files
+    std::function<std::string()> text;
+};
+
 struct Outcome {
     Output output;
     Status status = Status::met;
     Value options;  ///< as understood
     Value report;
     std::function<Drawing()> draw;  ///< makes the picture, only when somebody wants it
+    std::vector<OutputForm> forms = {};  ///< beside those that every output of its kind has
 };
 
 struct Operation {

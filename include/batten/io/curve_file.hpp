@@ -11,8 +11,9 @@ namespace batten {
 /// The tree of a `batten.curve/1` file, as docs/formats.md describes it: every number of the curve,
 /// exact.
 ///
-/// Piecewise cubics and B-splines keep their kind; any other curve whose pieces are polynomials of
-/// degree 3 or less is written as piecewise cubics by its derivatives at the starts of the pieces.
+/// Piecewise cubics, B-splines and chains of arcs keep their kind; any other curve whose pieces are
+/// polynomials of degree 3 or less is written as piecewise cubics by its derivatives at the starts
+/// of the pieces.
 /// Throws `curve.not-exact` for all others, `number.overflow` where a coefficient is beyond a
 /// double. `name` is free text for people.
 ///
@@ -23,7 +24,7 @@ Value curve_value(const Curve& curve, const std::string& name = {});
 /// are ignored.
 ///
 /// Throws `curve.format`, `curve.kind`, `curve.entry` (an entry is missing or of the wrong type or
-/// size), `curve.breaks`, and for B-splines what BSplineBasis and BSplineCurve throw.
+/// size), `curve.breaks`, and what BSplineBasis, BSplineCurve and ArcChain throw.
 Curve curve_of(const Value& tree, const std::string& place);
 
 /// The curve in `source`: a `batten.curve/1` file, the first path of an SVG picture, or bare SVG

@@ -7,8 +7,9 @@
 
 namespace batten {
 
-/// A plane curve as SVG path data: one line or cubic Bezier piece for each piece of the curve, in
-/// data coordinates (y up), numbers in their shortest exact form; `Z` where it is closed.
+/// A plane curve as SVG path data: one line or cubic Bezier piece for each piece of the curve (an
+/// `ArcChain` as svg_arcs.hpp has it), in data coordinates (y up), numbers in their shortest exact
+/// form; `Z` where it is closed.
 ///
 /// Accuracy: control points within 2 ulps of the coordinates' size; joints exact. The speed along
 /// the curve is not written. Throws `curve.dimension` unless there are two coordinates,

@@ -16,11 +16,15 @@ namespace batten {
 enum class Form {
     same,      ///< as it is
     cubic,     ///< cubic pieces; exact where the pieces are polynomials of degree 3 or less
+    arcs,      ///< circular arcs and lines, few of them; plane curves only
     polyline,  ///< straight pieces
 };
 
-constexpr std::array<Named<Form>, 3> names_of(Form) {
-    return {{{"same", Form::same}, {"cubic", Form::cubic}, {"polyline", Form::polyline}}};
+constexpr std::array<Named<Form>, 4> names_of(Form) {
+    return {{{"same", Form::same},
+             {"cubic", Form::cubic},
+             {"arcs", Form::arcs},
+             {"polyline", Form::polyline}}};
 }
 
 struct ConvertOptions {
@@ -62,8 +66,9 @@ struct Conversion {
 /// Trims, then reverses, then scales, then changes the form of `curve`.
 ///
 /// `max_error` is measured at 16 parameters of each new piece, same parameter against same
-/// parameter, so it bounds the distance from above at those places.
-/// Throws `curve.outside`, `curve.part-empty`, `curve.scale`, `option.range` for a tolerance that
+/// parameter, so it bounds the distance from above at those places; for arcs it is the distance
+/// `batten::arcs` reports. A chain of arcs stays one when it is trimmed, reversed or scaled.
+/// Throws what `batten::arcs` throws and `curve.outside`, `curve.part-empty`, `curve.scale`, `option.range` for a tolerance that
 /// is not above 0.
 Conversion convert(const Curve& curve, const ConvertOptions& options);
 

@@ -27,6 +27,7 @@ struct InterpolateReport {
     std::optional<std::vector<double>> tangent_angles_in;
     std::vector<std::string> notes;
     /// not_converged: pseudo-spline-global has reached its last step before its gradient vanished.
+    /// not_met: an arc-chain does not close smoothly.
     Status status = Status::met;
 };
 
@@ -56,10 +57,11 @@ struct Interpolation {
 };
 
 /// The curve asked for through `points` (n rows, 2 columns; 3 for pseudo-spline; 2 and more for
-/// hermite methods, 1 and more for splines), with its measures. See docs/interpolation.md.
+/// hermite methods, 1 and more for splines and lagrange), with its measures. See
+/// docs/interpolation.md.
 ///
-/// Breaks: pseudo-spline, hermite and uniform: 0, 1, 2, ...; chord and centripetal: from 0 by
-/// their steps; given parameters: these; pchip and makima: x.
+/// Breaks: pseudo-spline, hermite, lagrange and uniform: 0, 1, 2, ...; chord and centripetal: from
+/// 0 by their steps; given parameters: these; pchip and makima: x; arc-chain: arc lengths.
 /// Laws:   (1) through the points, bit for bit
 ///         (2) points x 2^k (given parameters as they are): the curve x 2^k, exactly
 ///         (3) the mirror image (x, -y) exactly; reversal and rotation to rounding

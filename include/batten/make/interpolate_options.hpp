@@ -22,9 +22,12 @@ enum class Method {
     spline,                ///< cubic spline with the ends and the parameter asked for
     pchip,                 ///< y(x): monotone where the points are
     makima,                ///< y(x): few oscillations
+    lagrange_2,            ///< moving windows of three points [Nakajima]: tangents jump
+    lagrange_3,            ///< ... of four points
+    arc_chain,             ///< one circular arc a chord, tangents joined [Nakajima, section 5]
 };
 
-constexpr std::array<Named<Method>, 9> names_of(Method) {
+constexpr std::array<Named<Method>, 12> names_of(Method) {
     return {{{"pseudo-spline", Method::pseudo_spline},
              {"pseudo-spline-global", Method::pseudo_spline_global},
              {"natural-uniform", Method::natural_uniform},
@@ -33,7 +36,10 @@ constexpr std::array<Named<Method>, 9> names_of(Method) {
              {"hermite-arc", Method::hermite_arc},
              {"spline", Method::spline},
              {"pchip", Method::pchip},
-             {"makima", Method::makima}}};
+             {"makima", Method::makima},
+             {"lagrange-2", Method::lagrange_2},
+             {"lagrange-3", Method::lagrange_3},
+             {"arc-chain", Method::arc_chain}}};
 }
 
 /// What an open spline does at its two ends.
@@ -87,7 +93,7 @@ void visit_fields(Options& o, Visit&& visit) {
           "how the parameter grows from point to point (method spline)");
     visit("parameter_values", o.parameter_values, anything,
           "the parameters themselves, strictly increasing, one a point; closed: one more, where "
-          "the curve comes back (method spline)");
+          "the curve comes back (spline and lagrange methods)");
     visit("exact", o.exact, anything,
           "find the tangents and speeds of a pseudo-spline by minimisation, without tables");
     visit("closed", o.closed, anything, "go on from the last point to the first");
@@ -96,7 +102,7 @@ void visit_fields(Options& o, Visit&& visit) {
           "methods)");
     visit("tangent", o.tangent, anything,
           "directions fixed at points, from 0 (pseudo-spline and hermite methods; the two ends of "
-          "an open clamped spline)");
+          "an open clamped spline; the start of an arc-chain)");
     visit("weight_exponent", o.weight_exponent,
           between(-most_weight_exponent, most_weight_exponent),
           "how chord lengths weigh in a pseudo-spline's tangents: 1 as in the paper, -1 for evenly "

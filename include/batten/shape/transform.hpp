@@ -17,4 +17,8 @@ Curve scaled(const Curve& curve, double factor);
 /// less: the Taylor coefficients at each piece's start, so exact to rounding.
 std::optional<PiecewiseCubic> exact_cubic(const Curve& curve);
 
+/// The points at the breaks of `curve` (closed: the first again at the end), if all its pieces are
+/// straight and run at constant speed: of degree 1, or cubics whose higher coefficients are 0.
+std::optional<Points> exact_polyline(const Curve& curve);
+
 }  // namespace batten

@@ -7,6 +7,7 @@
 #include "batten/io/curve_file.hpp"
 #include "batten/io/json.hpp"
 #include "batten/io/svg_path.hpp"
+#include "batten/shape/arc_chain.hpp"
 #include "batten/shape/bspline.hpp"
 #include "io/tables/utf8.hpp"
 
@@ -193,6 +194,13 @@ Curve read_bspline(const Entries& entries) {
     return BSplineCurve(std::move(basis), points, std::move(weights));
 }
 
+Curve read_arcs(const Entries& entries) {
+    Points points = entries.points("points");
+    std::vector<double> bulges = entries.numbers("bulges");
+    require_size(entries, "bulges", bulges.size(), points.size() - 1);
+    return ArcChain(std::move(points), std::move(bulges), entries.truth("closed"));
+}
+
 Error wrong_format(const std::string& place, std::string value) {
     return {"curve.format", place, std::move(value),
             std::string("a curve is a map with \"format\": \"") + format_name +
@@ -213,12 +221,13 @@ Curve curve_of(const Value& tree, const std::string& place) {
     try {
         if (name == "piecewise-cubic") return read_cubic(entries);
         if (name == "b-spline") return read_bspline(entries);
+        if (name == "arcs") return read_arcs(entries);
     } catch (const Error& error) {
         const bool is_placed = error.place().rfind(place, 0) == 0;
         throw is_placed ? error : error.at(place + ", " + error.place());
     }
     throw Error("curve.kind", entries.place("kind"), shown(kind),
-                "piecewise-cubic or b-spline is needed here");
+                "piecewise-cubic, b-spline or arcs is needed here");
 }
 
 Curve parse_curve(const Source& source) {

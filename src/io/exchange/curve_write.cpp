@@ -2,6 +2,7 @@
 
 #include "batten/base/error.hpp"
 #include "batten/io/curve_file.hpp"
+#include "batten/shape/arc_chain.hpp"
 #include "batten/shape/bspline.hpp"
 #include "batten/shape/transform.hpp"
 
@@ -71,12 +72,22 @@ Value bspline_value(const BSplineCurve& curve, const std::string& name) {
     return map;
 }
 
+Value arcs_value(const ArcChain& chain, const std::string& name) {
+    ValueMap map = heading("arcs", name);
+    map.emplace_back("dimension", 2);
+    map.emplace_back("closed", chain.is_closed());
+    map.emplace_back("points", rows(chain.joints()));
+    map.emplace_back("bulges", numbers(chain.bulges()));
+    return map;
+}
+
 }  // namespace
 
 Value curve_value(const Curve& curve, const std::string& name) {
     if (const BSplineCurve* bspline = curve.shape<BSplineCurve>()) {
         return bspline_value(*bspline, name);
     }
+    if (const ArcChain* chain = curve.shape<ArcChain>()) return arcs_value(*chain, name);
     if (const std::optional<PiecewiseCubic> cubic = exact_cubic(curve)) {
         return cubic_value(*cubic, name);
     }

@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
+#include "batten/io/svg_arcs.hpp"
 #include "batten/io/svg_path.hpp"
+#include "batten/shape/arc_chain.hpp"
 #include "batten/shape/transform.hpp"
 #include "io/exchange/svg_pieces.hpp"
 
@@ -74,34 +77,78 @@ std::string path_text(const std::vector<Piece>& pieces, bool is_closed) {
     return is_closed ? text + " Z" : text;
 }
 
-}  // namespace
+/// The smallest upright box round something.
+struct Box {
+    Point low, high;
 
-std::string svg_path(const Curve& curve) { return path_text(beziers(curve), curve.is_closed()); }
+    explicit Box(Point p) : low(p), high(p) {}
+    void add(Point p) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+};
 
-std::string svg_picture(const Curve& curve) {
-    const std::vector<Piece> pieces = beziers(curve);
-    Point low = pieces.front().start(), high = low;
+Box box_of(const std::vector<Piece>& pieces) {
+    Box box(pieces.front().start());
     for (const Piece& piece : pieces) {
         for (int i = 0; i <= piece.degree; ++i) {
-            const Point p = piece.points[static_cast<std::size_t>(i)];
-            low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-            high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+            box.add(piece.points[static_cast<std::size_t>(i)]);
         }
     }
-    const double size = std::max(high.x - low.x, high.y - low.y);
+    return box;
+}
+
+/// Round the joints and the places where the tangent is level or upright.
+Box box_of(const ArcChain& chain) {
+    constexpr double quarter = std::numbers::pi / 2;
+    Box box({chain.joints()(0, 0), chain.joints()(0, 1)});
+    for (std::size_t i = 0; i < chain.arcs(); ++i) {
+        const Arc arc = chain.arc(i);
+        box.add({arc.end[0], arc.end[1]});
+        if (arc.is_line()) continue;
+        const double start = std::atan2(arc.start_tangent()[1], arc.start_tangent()[0]);
+        const double low = std::min(start, start + arc.sweep()), high = low + std::fabs(arc.sweep());
+        for (double turns = std::ceil(low / quarter); turns * quarter < high; ++turns) {
+            const double share = (turns * quarter - start) / arc.sweep();
+            const double t = chain.breaks()[i] + share * arc.length();
+            std::array<double, 2> p{};
+            chain.jets_on(i, {&t, 1}, 0, p);
+            box.add({p[0], p[1]});
+        }
+    }
+    return box;
+}
+
+std::string picture_of(const std::string& path, const Box& box) {
+    const double size = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
     const double margin = 0.04 * size;
-    const Point room = high - low + Point{2 * margin, 2 * margin};
+    const Point room = box.high - box.low + Point{2 * margin, 2 * margin};
     if (!std::isfinite(room.x) || !std::isfinite(room.y)) {
         throw Error("number.overflow", "extent", "beyond a double",
                     "results must lie within the range of a double");
     }
     std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"";
-    append(text, {low.x - margin, -(high.y + margin)});
+    append(text, {box.low.x - margin, -(box.high.y + margin)});
     text += ' ';
     append(text, room);
     text += "\">\n  <path transform=\"scale(1 -1)\" fill=\"none\" stroke=\"#1f2933\" stroke-width=\"" +
             format_number(0.004 * size) + "\"\n    d=\"";
-    return text + path_text(pieces, curve.is_closed()) + "\"/>\n</svg>\n";
+    return text + path + "\"/>\n</svg>\n";
+}
+
+}  // namespace
+
+std::string svg_path(const Curve& curve) {
+    if (const ArcChain* chain = curve.shape<ArcChain>()) return svg_path(*chain);
+    return path_text(beziers(curve), curve.is_closed());
+}
+
+std::string svg_picture(const Curve& curve) {
+    if (const ArcChain* chain = curve.shape<ArcChain>()) {
+        return picture_of(svg_path(*chain), box_of(*chain));
+    }
+    const std::vector<Piece> pieces = beziers(curve);
+    return picture_of(path_text(pieces, curve.is_closed()), box_of(pieces));
 }
 
 }  // namespace batten

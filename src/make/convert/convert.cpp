@@ -5,6 +5,8 @@
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
+#include "batten/make/arcs.hpp"
+#include "batten/shape/arc_chain.hpp"
 #include "batten/shape/bspline.hpp"
 #include "batten/shape/transform.hpp"
 
@@ -129,6 +131,15 @@ BSplineCurve polyline(const Curve& curve, const std::vector<double>& breaks) {
     return {BSplineBasis::periodic(period, 1), points_at(curve, period.first(breaks.size() - 1))};
 }
 
+/// Trimmed, reversed, scaled: whatever kind of curve it is (a chain of arcs or any other).
+template <class AnyCurve>
+AnyCurve moved(AnyCurve curve, const ConvertOptions& options) {
+    if (options.trim) curve = trimmed(curve, *options.trim);
+    if (options.reverse) curve = reversed(curve);
+    if (options.scale) curve = scaled(curve, *options.scale);
+    return curve;
+}
+
 }  // namespace
 
 PiecewiseCubic to_piecewise_cubic(const Curve& curve, double tolerance) {
@@ -164,9 +175,8 @@ Conversion convert(const Curve& original, const ConvertOptions& options) {
         throw Error("option.range", "tolerance", format_number(options.tolerance.value),
                     "must be more than 0");
     }
-    Curve curve = options.trim ? trimmed(original, *options.trim) : original;
-    if (options.reverse) curve = reversed(curve);
-    if (options.scale) curve = scaled(curve, *options.scale);
+    const ArcChain* chain = original.shape<ArcChain>();
+    Curve curve = chain ? Curve(moved(*chain, options)) : moved(original, options);
 
     const double tolerance = options.tolerance.in_units(extent(curve));
     ConvertReport report;
@@ -174,6 +184,12 @@ Conversion convert(const Curve& original, const ConvertOptions& options) {
         const Curve cubic = to_piecewise_cubic(curve, tolerance);
         report.max_error = largest_distance(curve, cubic);
         curve = cubic;
+    } else if (options.as == Form::arcs && !curve.shape<ArcChain>()) {
+        ArcsOptions within;
+        within.tolerance = absolute(tolerance);
+        const ArcFit fit = arcs(curve, within);
+        report.max_error = fit.report.max_error;
+        curve = fit.chain;
     } else if (options.as == Form::polyline) {
         const std::vector<double> breaks = polyline_breaks(curve, tolerance);
         report.max_error = polyline_error(curve, breaks);

@@ -7,10 +7,12 @@
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
+#include "batten/shape/arc_chain.hpp"
 #include "make/interpolate/function.hpp"
 #include "make/interpolate/hermite.hpp"
 #include "make/interpolate/pseudo_spline.hpp"
 #include "make/interpolate/spline.hpp"
+#include "make/interpolate/windows_and_arcs.hpp"
 #include "make/interpolate/vectors.hpp"
 
 namespace batten::interpolation {
@@ -67,7 +69,7 @@ PiecewiseCubic hermite_with(const Outline& outline, const Tangents& tangents) {
 }
 
 /// What needs no search is always met.
-Built plain(PiecewiseCubic curve) { return {std::move(curve), Status::met, {}}; }
+Built plain(Curve curve) { return {std::move(curve), Status::met, {}}; }
 
 void require_rising_x(PointsView points) {
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -76,6 +78,25 @@ void require_rising_x(PointsView points) {
                     format_number(points(i, 0)), "x must be larger than that of the point before",
                     {i});
     }
+}
+
+PiecewiseCubic cubic_between(const PiecewiseCubic& curve, IndexRange part) {
+    const std::size_t from = static_cast<std::size_t>(part.from);
+    const std::size_t to = static_cast<std::size_t>(part.to);
+    const std::size_t joints = to - from + 1;
+    const std::span<const double> breaks = curve.breaks().subspan(from, joints);
+    std::vector<double> block;
+    block.reserve(4 * static_cast<std::size_t>(curve.dim()) * joints);
+    for (int power = 0; power < 4; ++power) {
+        for (int k = 0; k < curve.dim(); ++k) {
+            const std::size_t count = power == 0 ? joints : joints - 1;
+            const auto kept = curve.coefficients(power, k).subspan(from, count);
+            block.insert(block.end(), kept.begin(), kept.end());
+            if (power > 0) block.push_back(0);
+        }
+    }
+    return PiecewiseCubic::power(std::move(block), curve.dim(), {breaks.begin(), breaks.end()},
+                                 false);
 }
 
 }  // namespace
@@ -103,28 +124,24 @@ Built built(const Request& request, const InterpolateOptions& options) {
         case Method::makima:
             require_rising_x(outline.points);
             return plain(makima_curve(outline.points));
+        case Method::lagrange_2:
+            return lagrange_windows(outline, options, 2);
+        case Method::lagrange_3:
+            return lagrange_windows(outline, options, 3);
+        case Method::arc_chain:
+            return joined_arcs(outline);
     }
     throw Error("option.range", "method", std::to_string(static_cast<int>(options.method)),
                 "must be one of the methods");
 }
 
-PiecewiseCubic between_joints(const PiecewiseCubic& curve, IndexRange part) {
-    const std::size_t from = static_cast<std::size_t>(part.from);
-    const std::size_t to = static_cast<std::size_t>(part.to);
-    const std::size_t joints = to - from + 1;
-    const std::span<const double> breaks = curve.breaks().subspan(from, joints);
-    std::vector<double> block;
-    block.reserve(4 * static_cast<std::size_t>(curve.dim()) * joints);
-    for (int power = 0; power < 4; ++power) {
-        for (int k = 0; k < curve.dim(); ++k) {
-            const std::size_t count = power == 0 ? joints : joints - 1;
-            const auto kept = curve.coefficients(power, k).subspan(from, count);
-            block.insert(block.end(), kept.begin(), kept.end());
-            if (power > 0) block.push_back(0);
-        }
+Curve between_joints(const Curve& curve, IndexRange part) {
+    if (const ArcChain* chain = curve.shape<ArcChain>()) {
+        const std::span<const double> breaks = chain->breaks();
+        return trimmed(*chain, {breaks[static_cast<std::size_t>(part.from)],
+                                breaks[static_cast<std::size_t>(part.to)]});
     }
-    return PiecewiseCubic::power(std::move(block), curve.dim(), {breaks.begin(), breaks.end()},
-                                 false);
+    return cubic_between(*curve.shape<PiecewiseCubic>(), part);
 }
 
 }  // namespace batten::interpolation

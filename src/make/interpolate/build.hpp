@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "batten/make/interpolate.hpp"
+#include "batten/shape/curve.hpp"
 #include "batten/shape/piecewise_cubic.hpp"
 #include "make/interpolate/request.hpp"
 
@@ -11,7 +12,7 @@ namespace batten::interpolation {
 
 /// A curve through points and what became of the search for it.
 struct Built {
-    PiecewiseCubic curve;
+    Curve curve;
     Status status = Status::met;
     std::vector<std::string> notes;
 };
@@ -19,7 +20,8 @@ struct Built {
 /// The curve asked for, whole.
 Built built(const Request& request, const InterpolateOptions& options);
 
-/// The pieces between joints `from` and `to` of `curve`, unchanged.
-PiecewiseCubic between_joints(const PiecewiseCubic& curve, IndexRange part);
+/// The pieces between joints `from` and `to` of `curve` (piecewise cubic, or a chain of arcs with
+/// one arc from point to point), unchanged.
+Curve between_joints(const Curve& curve, IndexRange part);
 
 }  // namespace batten::interpolation

@@ -8,7 +8,7 @@
 namespace batten {
 namespace {
 
-Curve part_of(PiecewiseCubic curve, const InterpolateOptions& options) {
+Curve part_of(Curve curve, const InterpolateOptions& options) {
     if (options.part) return interpolation::between_joints(curve, *options.part);
     return curve;
 }

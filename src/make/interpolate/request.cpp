@@ -44,6 +44,14 @@ Abilities abilities_of(Method method) {
             able.most_dimension = 2;
             able.closed = false;
             return able;
+        case Method::lagrange_2:
+        case Method::lagrange_3:
+            able.least_dimension = 1;
+            able.given_parameters = true;
+            return able;
+        case Method::arc_chain:
+            able.most_dimension = 2;
+            return able;
     }
     able.corners = true;
     return able;
@@ -66,7 +74,7 @@ void require_abilities(const InterpolateOptions& options) {
     if (!options.parameter_values.empty() && !able.given_parameters) {
         throw Error("interpolate.parameters-not-taken", name_of_method(options),
                     std::to_string(options.parameter_values.size()) + " values",
-                    "has its own parameters; method spline takes them");
+                    "has its own parameters; spline and lagrange methods take them");
     }
     if (!(std::fabs(options.weight_exponent) <= most_weight_exponent)) {
         throw Error("option.range", "weight_exponent", format_number(options.weight_exponent),
@@ -86,6 +94,7 @@ std::size_t index_of(int index, std::size_t count, const std::string& code) {
 /// Whether the curve can be told to run through a point in some direction.
 bool takes_tangent(const InterpolateOptions& options, std::size_t index, std::size_t count) {
     if (abilities_of(options.method).corners) return true;
+    if (options.method == Method::arc_chain) return index == 0;
     const bool is_clamped = options.method == Method::spline && options.ends == Ends::clamped;
     return is_clamped && !options.closed && (index == 0 || index + 1 == count);
 }
@@ -99,8 +108,8 @@ void take_tangents(Outline& outline, const InterpolateOptions& options) {
         if (!takes_tangent(options, at, count)) {
             throw Error("interpolate.tangent-not-taken", place,
                         std::string(name_of(options.method)),
-                        "takes no tangent there: pseudo-spline and hermite methods do, and clamped "
-                        "open splines at their ends");
+                        "takes no tangent there: pseudo-spline and hermite methods do, clamped "
+                        "open splines at their ends and an arc-chain at its start");
         }
         if (outline.points.dim() != 2) {
             throw Error("interpolate.tangent-not-taken", place,

@@ -1,0 +1,50 @@
+#include "batten/make/thin.hpp"
+
+#include <utility>
+
+#include "api/row.hpp"
+
+namespace batten::api {
+namespace {
+
+/// The curve that the kept points give back.
+Curve curve_again(const Points& kept, const ThinOptions& options) {
+    DensifyOptions same;
+    same.degree = options.degree;
+    same.end_degree = options.end_degree;
+    same.parameter = options.parameter;
+    same.closed = options.closed;
+    same.between = 0;
+    return densify(kept, same).curve;
+}
+
+Drawing picture(const Points& given, const Thinned& thinned, const ThinOptions& options) {
+    Drawing drawing;
+    drawing.add(CurveLayer{curve_again(thinned.points, options), "curve of the points kept",
+                           {Tone::blue, Dash::solid, 1.3}});
+    drawing.add(PointsLayer{given, "points given", Marker::closed, {}, PointLabels::none,
+                            Tone::grey});
+    drawing.add(PointsLayer{thinned.points, "points kept"});
+    return drawing;
+}
+
+Outcome run(std::span<const Input> inputs, const ThinOptions& options) {
+    const PointsInput& input = points_input(inputs);
+    const Points points = points_of(input);
+    Thinned thinned = naming_lines(input, [&] { return thin(points, options); });
+    thinned.report.notes.insert(thinned.report.notes.begin(), input.table.notes.begin(),
+                                input.table.notes.end());
+    return {Rows{names_given(input), thinned.points}, thinned.report.status, {},
+            report_value(thinned.report),
+            [points, thinned, options] { return picture(points, thinned, options); }};
+}
+
+}  // namespace
+
+Operation thin_row() {
+    return row<ThinOptions>({"thin", "the fewest points from which densify makes the curve again",
+                             InputKind::points, OutputKind::rows},
+                            run);
+}
+
+}  // namespace batten::api
