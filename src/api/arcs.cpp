@@ -9,13 +9,13 @@
 namespace batten::api {
 namespace {
 
-struct Request {
+struct ArcsRequest {
     ArcsOptions arcs;
     MachineOptions machine;
 };
 
 template <class Options, class Visit>
-    requires std::same_as<std::remove_const_t<Options>, Request>
+    requires std::same_as<std::remove_const_t<Options>, ArcsRequest>
 void visit_fields(Options& o, Visit&& visit) {
     visit_fields(o.arcs, visit);
     visit_fields(o.machine, visit);
@@ -80,7 +80,7 @@ Drawing picture(const ArcFit& fit, const Layer& given) {
     return drawing;
 }
 
-Outcome outcome(ArcFit fit, const Request& request, Layer given) {
+Outcome outcome(ArcFit fit, const ArcsRequest& request, Layer given) {
     const Curve curve = fit.chain;
     const Status status = fit.report.status;
     Value report = report_value(fit.report);
@@ -89,7 +89,7 @@ Outcome outcome(ArcFit fit, const Request& request, Layer given) {
             machine_forms(curve, request.machine)};
 }
 
-Outcome run(std::span<const Input> inputs, const Request& request) {
+Outcome run(std::span<const Input> inputs, const ArcsRequest& request) {
     if (inputs.size() == 1 && std::holds_alternative<Curve>(inputs.front().content)) {
         const Curve& curve = curve_input(inputs);
         return outcome(arcs(curve, request.arcs), request,
@@ -106,7 +106,7 @@ Outcome run(std::span<const Input> inputs, const Request& request) {
 }  // namespace
 
 Operation arcs_row() {
-    return row<Request>({"arcs", "circular arcs and lines through points or along a curve",
+    return row<ArcsRequest>({"arcs", "circular arcs and lines through points or along a curve",
                          InputKind::points_or_curve, OutputKind::curve},
                         run);
 }

@@ -6,13 +6,13 @@
 namespace batten::api {
 namespace {
 
-struct Request {
+struct ConvertRequest {
     ConvertOptions convert;
     MachineOptions machine;
 };
 
 template <class Options, class Visit>
-    requires std::same_as<std::remove_const_t<Options>, Request>
+    requires std::same_as<std::remove_const_t<Options>, ConvertRequest>
 void visit_fields(Options& o, Visit&& visit) {
     visit_fields(o.convert, visit);
     visit_fields(o.machine, visit);
@@ -25,7 +25,7 @@ Drawing picture(const Curve& before, const Curve& after) {
     return drawing;
 }
 
-Outcome run(std::span<const Input> inputs, const Request& request) {
+Outcome run(std::span<const Input> inputs, const ConvertRequest& request) {
     const Curve& curve = curve_input(inputs);
     const Conversion made = convert(curve, request.convert);
     return {made.curve, made.report.status, {}, report_value(made.report),
@@ -36,7 +36,7 @@ Outcome run(std::span<const Input> inputs, const Request& request) {
 }  // namespace
 
 Operation convert_row() {
-    return row<Request>(
+    return row<ConvertRequest>(
         {"convert", "other forms of a curve, trimmed, reversed or scaled", InputKind::curve,
          OutputKind::curve},
         run);

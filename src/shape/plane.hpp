@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "batten/base/points.hpp"
@@ -34,6 +35,8 @@ inline Vector unit(Vector a) { return (1 / norm(a)) * a; }
 /// The angle from a to b, in [-pi, pi], positive to the left.
 inline double angle_between(Vector a, Vector b) { return std::atan2(cross(a, b), dot(a, b)); }
 
+inline Vector vector(std::array<double, 2> a) { return {a[0], a[1]}; }
+inline std::array<double, 2> array(Vector a) { return {a.x, a.y}; }
 inline Vector at(PointsView points, std::size_t row) { return {points(row, 0), points(row, 1)}; }
 
 }  // namespace batten::plane

@@ -9,8 +9,8 @@ namespace {
 
 using plane::Vector;
 
-Vector vector(std::array<double, 2> a) { return {a[0], a[1]}; }
-std::array<double, 2> array(Vector a) { return {a.x, a.y}; }
+using plane::array;
+using plane::vector;
 
 /// tan(angle / 2), `angle` from unit vector a to unit vector b.
 double half_tangent(Vector a, Vector b) {

@@ -11,7 +11,7 @@ namespace {
 
 using plane::Vector;
 
-Vector vector(std::span<const double> a) { return {a[0], a[1]}; }
+Vector vector_of(std::span<const double> a) { return {a[0], a[1]}; }
 
 Vector tangent_on(const Curve& curve, std::size_t piece, double t, Side side) {
     const Jet jet = curve.jet_on(piece, t, 3);
@@ -20,7 +20,7 @@ Vector tangent_on(const Curve& curve, std::size_t piece, double t, Side side) {
     for (int k = 1; k <= 3; ++k) {
         scale *= curve.piece(piece).length() / k;
         Vector& step = steps[static_cast<std::size_t>(k - 1)];
-        step = scale * vector(jet[k]);
+        step = scale * vector_of(jet[k]);
         largest = std::max(largest, plane::norm(step));
     }
     constexpr double vanishing = 1e-7;
@@ -37,7 +37,7 @@ Vector tangent_on(const Curve& curve, std::size_t piece, double t, Side side) {
 Station station(const Curve& curve, double t, Side side) {
     std::size_t piece = curve.piece_of(t);
     if (side == Side::before && t == curve.piece(piece).lo && piece > 0) --piece;
-    return {vector(curve.jet_on(piece, t, 0)[0]), tangent_on(curve, piece, t, side)};
+    return {vector_of(curve.jet_on(piece, t, 0)[0]), tangent_on(curve, piece, t, side)};
 }
 
 std::vector<Place> places(const Curve& curve, Interval part) {
@@ -58,7 +58,7 @@ std::vector<Place> places(const Curve& curve, Interval part) {
 }
 
 CurveDistance::Sample CurveDistance::sample(Place place) const {
-    const Vector p = vector(curve_.jet_on(place.piece, place.t, 0)[0]);
+    const Vector p = vector_of(curve_.jet_on(place.piece, place.t, 0)[0]);
     return {place, p, ruler_.foot(p)};
 }
 

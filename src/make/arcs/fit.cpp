@@ -21,11 +21,9 @@ void require_positive(const std::optional<double>& value, const char* option) {
     }
 }
 
-Vector vector(std::array<double, 2> a) { return {a[0], a[1]}; }
-
 double jump(const Arc& in, const Arc& out) {
     return std::fabs(
-        plane::angle_between(vector(in.end_tangent()), vector(out.start_tangent())));
+        plane::angle_between(plane::vector(in.end_tangent()), plane::vector(out.start_tangent())));
 }
 
 ArcRecord record_of(const Arc& arc, double error) {

@@ -11,8 +11,6 @@
 namespace batten::lagrange {
 namespace {
 
-constexpr std::size_t most_coefficients = highest_degree + 2;
-
 /// Bernstein coefficients on [0, 1] of a polynomial given by its power coefficients, in place.
 void to_bernstein(std::span<double> c) {
     const std::size_t n = c.size() - 1;

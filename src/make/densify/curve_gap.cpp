@@ -7,8 +7,6 @@
 namespace batten::lagrange {
 namespace {
 
-constexpr std::size_t most_coefficients = highest_degree + 2;
-
 /// |f(s) - p|^2, halved, with its first two derivatives by s.
 struct HalfSquare {
     double value = 0, slope = 0, bend = 0;
