@@ -14,8 +14,8 @@ namespace {
 
 using plane::Vector;
 
-Vector vector(std::array<double, 2> a) { return {a[0], a[1]}; }
-std::array<double, 2> array(Vector a) { return {a.x, a.y}; }
+using plane::array;
+using plane::vector;
 
 /// Cosine and sine of half the sweep, from bulge = tan(half / 2).
 Vector half_turn(double bulge) {

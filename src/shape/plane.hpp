@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -36,6 +37,7 @@ inline Vector unit(Vector a) { return (1 / norm(a)) * a; }
 inline double angle_between(Vector a, Vector b) { return std::atan2(cross(a, b), dot(a, b)); }
 
 inline Vector vector(std::span<const double> a) { return {a[0], a[1]}; }
+inline std::array<double, 2> array(Vector a) { return {a.x, a.y}; }
 inline Vector at(PointsView points, std::size_t row) { return {points(row, 0), points(row, 1)}; }
 
 }  // namespace batten::plane

@@ -81,7 +81,8 @@ void expect_reference_rows(const CsvTable& table, const std::string& method) {
         const std::size_t cell = static_cast<std::size_t>(table.number(row, "cell"));
         ASSERT_EQ(fit.chain.arcs(), each * static_cast<std::size_t>(n));
         const double share = table.number(row, "s(angle or length fraction)");
-        const double lo = fit.chain.breaks()[each * cell], hi = fit.chain.breaks()[each * cell + each];
+        const double lo = fit.chain.breaks()[each * cell];
+        const double hi = fit.chain.breaks()[each * cell + each];
         const std::vector<double> p = Curve(fit.chain)(lo + share * (hi - lo));
         EXPECT_NEAR(p[0], table.number(row, "x"), 1e-13);
         EXPECT_NEAR(p[1], table.number(row, "y"), 1e-13);

@@ -43,7 +43,8 @@ TEST(PictureOfArcs, ShowsSidesJointsAndErrors) {
 }
 
 TEST(PictureOfDensify, ShowsGivenAndNewPoints) {
-    EXPECT_TRUE(is_golden("densify.svg", picture_of("densify", half_ellipse(), {{"between", "3"}})));
+    EXPECT_TRUE(
+        is_golden("densify.svg", picture_of("densify", half_ellipse(), {{"between", "3"}})));
 }
 
 TEST(PictureOfThin, ShowsWhatIsKept) {

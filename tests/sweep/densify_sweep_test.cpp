@@ -77,13 +77,15 @@ TEST(DensifySweep, TheGuaranteeCostsNoMoreThanTheAsymptoticOptimumForEachCell) {
     // A circle of radius 1 in 64 cells: a chord of angle a is off by a^2 / 8.
     Points circle(2);
     for (int i = 0; i < 64; ++i) {
-        circle.push_back(std::vector{std::cos(i * std::numbers::pi / 32), std::sin(i * std::numbers::pi / 32)});
+        const double t = i * std::numbers::pi / 32;
+        circle.push_back(std::vector{std::cos(t), std::sin(t)});
     }
     for (int power = -3; power >= -9; --power) {
         DensifyOptions options;
         options.closed = true;
         options.tolerance = absolute(std::pow(10, power));
-        const double steps = std::ceil(std::numbers::pi / 32 / std::sqrt(8 * options.tolerance->value) * 1.01);
+        const double steps =
+            std::ceil(std::numbers::pi / 32 / std::sqrt(8 * options.tolerance->value) * 1.01);
         EXPECT_LE(densify(circle, options).points.size(), 64 * static_cast<std::size_t>(steps));
     }
 }

@@ -124,7 +124,7 @@ struct ArcFit {
 /// `points.all-equal`, `arcs.start-twice`, `arcs.start-not-taken`, `arcs.tangent-index`,
 /// `arcs.tangent-not-taken`, `arcs.chord-against-start`, `option.range` for a tolerance or
 /// radius that is not above 0.
-/// Cost: a chain 8 ns an arc and its report 0.7 us; a tolerance as in src/make/arcs/fewest.hpp.
+/// Cost: a chain 8 ns an arc and its report about 1 us; a tolerance as in src/make/arcs/fewest.hpp.
 ArcFit arcs(PointsView points, const ArcsOptions& options);
 
 /// Arcs along a curve of the plane.

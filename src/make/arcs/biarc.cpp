@@ -9,7 +9,8 @@ namespace {
 
 using plane::Vector;
 
-std::array<double, 2> array(Vector a) { return {a.x, a.y}; }
+using plane::array;
+using plane::vector;
 
 /// tan(angle / 2), `angle` from unit vector a to unit vector b.
 double half_tangent(Vector a, Vector b) {
@@ -78,9 +79,9 @@ std::optional<Moves> biarc(const Station& from, const Station& to) {
 }
 
 ArcRuler::ArcRuler(const Arc& arc)
-    : start_(plane::vector(arc.start)),
-      end_(plane::vector(arc.end)),
-      tangent_(plane::vector(arc.start_tangent())),
+    : start_(vector(arc.start)),
+      end_(vector(arc.end)),
+      tangent_(vector(arc.start_tangent())),
       normal_(plane::left_of(tangent_)),
       curvature_(arc.curvature()),
       length_(arc.length()) {}

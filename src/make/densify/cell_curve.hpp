@@ -11,6 +11,9 @@
 
 namespace batten::lagrange {
 
+/// Of one coordinate of a cell, in powers: room for any degree, and a blend's one more.
+inline constexpr std::size_t most_coefficients = highest_degree + 2;
+
 /// The cells of one interpolation, kept: a curve of polynomial pieces of any degree.
 class CellCurve {
 public:

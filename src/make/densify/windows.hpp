@@ -41,7 +41,8 @@ private:
 
 /// The parameters of the points; of a ring one more, the end of the period.
 ///
-/// Throws `points.not-finite`, `points.repeated`, `lagrange.parameter-count`, `lagrange.parameters-not-increasing`.
+/// Throws `points.not-finite`, `points.repeated`, `lagrange.parameter-count`,
+/// `lagrange.parameters-not-increasing`.
 std::vector<double> parameters_of(PointsView points, const DensifyOptions& options);
 
 /// Distances from each point to the next, closed also from the last to the first, each to the
