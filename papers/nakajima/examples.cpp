@@ -7,7 +7,7 @@
 namespace nakajima {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 }  // namespace
 

@@ -23,7 +23,7 @@ namespace {
 using namespace batten;
 using namespace nakajima;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 void save(const std::string& folder, const std::string& name, const Drawing& drawing) {
     write_file(folder + "/" + name + ".svg", svg(drawing));

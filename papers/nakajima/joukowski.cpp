@@ -11,7 +11,7 @@ namespace {
 using batten::Points;
 using Complex = std::complex<double>;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double rise = 5 * pi / 180;
 const Complex centre(-0.1, 0.08);
 const double radius = std::abs(1.0 - centre);

@@ -10,7 +10,7 @@ namespace {
 
 using namespace batten;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int cells = 10;
 constexpr int between = 15;
 

@@ -19,7 +19,7 @@ std::string picture_of(std::string_view operation, const Source& points,
                        const std::vector<Setting>& settings) {
     const Table table = parse_table(points);
     const Input input{points.name, PointsInput{table, coordinate_columns(table)}};
-    return svg(find_operation(operation)->run({&input, 1}, settings).draw());
+    return svg(find_operation(operation)->run({&input, 1}, settings, {}).draw());
 }
 
 Source violin() {

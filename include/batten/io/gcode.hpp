@@ -22,8 +22,8 @@ struct GcodeOptions {
     double feed = 500;
     GcodeUnits units = GcodeUnits::mm;
     int decimals = 3;
-    std::optional<double> z;
-    std::string header;
+    std::optional<double> z = {};
+    std::string header = {};
     std::string footer = "M2";
 };
 
