@@ -18,6 +18,12 @@ inline Points xy_of(const CsvTable& table) {
     return points;
 }
 
+/// The 19 points of the figure itself: the last of the 20 is the one beyond the end.
+inline Points figure_8_points() {
+    const Points all = xy_of(shared_csv("reference/sampling/figure8_points20.csv"));
+    return Points(all.view().part(0, all.size() - 1));
+}
+
 inline Curve figure_8() {
     InterpolateOptions options;
     options.method = Method::natural_chord;

@@ -27,6 +27,9 @@ std::span<const double> ArcLengthMap::joints() const { return cells_->joints(); 
 
 double ArcLengthMap::t_of(double s) const {
     require_inside(s, {0, length()}, "arc length");
+    // Also where the curve begins or ends with a piece that stands still.
+    if (s == 0) return joints().front();
+    if (s == length()) return joints().back();
     return cells_->t_in(cells_->cell_at_s(s), s);
 }
 
@@ -40,6 +43,11 @@ void ArcLengthMap::t_of(std::span<const double> s, std::span<double> t) const {
     std::size_t cell = 0, first = 0;
     while (first < s.size()) {
         require_inside(s[first], range, "arc length");
+        if (s[first] == 0 || s[first] == range.hi) {
+            t[first] = s[first] == 0 ? joints().front() : joints().back();
+            ++first;
+            continue;
+        }
         const bool is_ahead = s[first] >= cells_->s(cell).lo;
         const bool is_near = is_ahead && cell + 8 < cells_->size() &&
                              s[first] < cells_->s(cell + 8).hi;

@@ -161,7 +161,8 @@ TEST(SampleRefuses, LawsWithoutWhatTheyNeed) {
     speeds.start_speed = speeds.end_speed = 0;
     EXPECT_EQ(refusal(speeds), "motion.speeds");
     speeds.start_speed = -1;
-    EXPECT_EQ(refusal(speeds), "motion.speeds");
+    EXPECT_EQ(refusal(speeds), "option.range");
+    EXPECT_EQ(code_of([] { MotionLaw::accelerate(-1, 2); }), "motion.speeds");
 }
 
 TEST(SampleRefuses, OptionsThatContradictOneAnother) {

@@ -74,6 +74,9 @@ TEST(ArcLengthMap, PassesPiecesThatStandStill) {
     EXPECT_NEAR(map.t_of(0.5), 0.5, 1e-15);
     EXPECT_NEAR(map.t_of(1.5), 2.5, 1e-15);
     EXPECT_EQ(map.s_of(1.5), 1);
+    const ArcLengthMap rests(polyline(Points({0, 0, 0, 0, 1, 0, 1, 0}, 2)));
+    EXPECT_EQ(rests.t_of(0.0), 0);
+    EXPECT_EQ(rests.t_of(1.0), 3);
 }
 
 TEST(ArcLengthMap, AnswersManyAtOnceWithTheSameBits) {

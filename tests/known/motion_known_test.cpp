@@ -87,6 +87,18 @@ TEST(Motion, ByStepsPositionsAndWeightsIsThatOfTheReference) {
     expect_reference("curvature_weight_1+20kappa", bends);
 }
 
+TEST(MotionLaw, ByWeightsSpendsTimeInProportion) {
+    const MotionLaw law = MotionLaw::weighted(Points({0, 1, 1, 4}, 2));
+    for (int i = 0; i <= 10; ++i) {
+        const double q = 0.25 * i, share = 2 * q / (1 + std::sqrt(1 + 6 * q));
+        EXPECT_NEAR(law.at(0.1 * i).share, share, 1e-15);
+        EXPECT_NEAR(law.at(0.1 * i).speed, 2.5 / (1 + 3 * share), 1e-14);
+    }
+    const MotionLaw hold = MotionLaw::weighted(Points({0, 0, 0.5, 2, 1, 0}, 2));
+    EXPECT_NEAR(hold.at(0.5).share, 0.5, 1e-15);
+    EXPECT_NEAR(hold.at(0.125).share, 0.25, 1e-15);
+}
+
 void expect_time_optimal(const char* name, const MotionLimits& limits, double duration) {
     const auto law = shared_json(reference)["laws"][name];
     const Curve curve = figure_8();
@@ -94,12 +106,17 @@ void expect_time_optimal(const char* name, const MotionLimits& limits, double du
     const TimedLaw fastest = time_optimal_law(curve, map, limits);
     EXPECT_NEAR(fastest.duration, duration, 1e-8) << name;
     for (const auto& row : law["samples"]) {
-        const Progress now = fastest.law.at(row["time"].get<double>() / fastest.duration);
-        const double v = now.speed * map.length() / fastest.duration;
-        // A time that is 1e-8 off is v 1e-8 along the curve.
-        const double s = row["s_over_L"].get<double>() * map.length();
-        EXPECT_NEAR(now.share * map.length(), s, 1e-8 * v + 1e-9) << name;
-        if (s > 0 && s < map.length()) EXPECT_NEAR(v, row["v"].get<double>(), 5e-8) << name;
+        // When the law is at the row's place.
+        const double share = row["s_over_L"].get<double>();
+        double lo = 0, hi = 1;
+        for (int i = 0; i < 60; ++i) {
+            const double middle = 0.5 * (lo + hi);
+            (fastest.law.at(middle).share < share ? lo : hi) = middle;
+        }
+        const double time = share == 1 ? fastest.duration : lo * fastest.duration;
+        EXPECT_NEAR(time, row["time"].get<double>(), 1e-8) << name << share;
+        const double v = fastest.law.at(lo).speed * map.length() / fastest.duration;
+        if (share > 0 && share < 1) EXPECT_NEAR(v, row["v"].get<double>(), 5e-8) << name << share;
     }
 }
 

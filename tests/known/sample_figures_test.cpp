@@ -58,7 +58,7 @@ TEST(PaperFigures, HaveTheExactPlacesOfTheReference) {
 
 TEST(PaperMethod, StepsAsTheReferenceDoes) {
     SKIP_UNLESS_SHARED("reference/sampling/fig5_K41.csv");
-    const Points points = xy_of(shared_csv("reference/sampling/figure8_points.csv"));
+    const Points points = figure_8_points();
     const auto summary = shared_json("reference/sampling/sampling_summary.json");
     const Curve curve = harada_nakamae_curve(points);
     for (Figure figure : figures()) {
@@ -84,7 +84,7 @@ TEST(PaperMethod, StepsAsTheReferenceDoes) {
 
 TEST(PaperMethod, WalksThePolylineOfItsFirstMethodWhereAsked) {
     SKIP_UNLESS_SHARED("reference/sampling/sampling_summary.json");
-    const Points points = xy_of(shared_csv("reference/sampling/figure8_points.csv"));
+    const Points points = figure_8_points();
     const auto summary = shared_json("reference/sampling/sampling_summary.json");
     SampleOptions options;
     options.method = SampleMethod::harada_nakamae;
@@ -99,8 +99,8 @@ TEST(PaperMethod, WalksThePolylineOfItsFirstMethodWhereAsked) {
 }
 
 TEST(PaperMethod, SaysWhenAStepIsTooLongForTheBend) {
-    SKIP_UNLESS_SHARED("reference/sampling/figure8_points.csv");
-    const Points points = xy_of(shared_csv("reference/sampling/figure8_points.csv"));
+    SKIP_UNLESS_SHARED("reference/sampling/figure8_points20.csv");
+    const Points points = figure_8_points();
     SampleOptions options;
     options.method = SampleMethod::harada_nakamae;
     // max |kappa| = 0.0333: the step may be 12.4 at most, which is 43 points.

@@ -66,16 +66,17 @@ public:
 private:
     double up(double s) const { return q_from_ + 2 * limit_.tangential() * (s - from_); }
     double down(double s) const { return q_to_ + 2 * limit_.tangential() * (to_ - s); }
-    /// Where speeding up meets the limit, and where slowing down leaves it.
+    /// Where speeding up meets the limit, and where slowing down leaves it. The other end is looked
+    /// at first: a limit that rises steeply from here on is left at once, and never met.
     double leaves_up() const {
         const auto above = [this](double s) { return up(s) - limit_.at(s, inside_); };
-        if (above(from_) >= 0) return from_;
-        return above(to_) <= 0 ? to_ : num::find_root(above, {from_, to_}).at;
+        if (above(to_) <= 0) return to_;
+        return above(from_) >= 0 ? from_ : num::find_root(above, {from_, to_}).at;
     }
     double reaches_down() const {
         const auto above = [this](double s) { return down(s) - limit_.at(s, inside_); };
-        if (above(to_) >= 0) return to_;
-        return above(from_) <= 0 ? from_ : num::find_root(above, {from_, to_}).at;
+        if (above(from_) <= 0) return from_;
+        return above(to_) >= 0 ? to_ : num::find_root(above, {from_, to_}).at;
     }
     void add(std::vector<Leg>& legs, Phase phase, double lo, double hi) const {
         if (!(lo < hi)) return;

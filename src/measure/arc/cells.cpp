@@ -108,10 +108,11 @@ Cells::Cells(const Curve& curve, Tolerance tolerance) {
         bases.emplace_back(static_cast<std::size_t>(degree));
     }
     std::vector<double> polygons(pieces.size());
-    double polygon = 0;
+    double polygon = 0, longest = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         polygons[i] = bezier::polygon_length(pieces, i);
         polygon += polygons[i];
+        longest = std::fmax(longest, polygons[i]);
     }
     const double wanted =
         tolerance.is_relative ? tolerance.value : pieces.in_normal(tolerance) / polygon;
@@ -124,7 +125,7 @@ Cells::Cells(const Curve& curve, Tolerance tolerance) {
             next = stretch.piece + 1;
             const double piece = polygons[stretch.piece];
             const Allowed allowed{std::fmax(share / cells_expected, rounding) * piece,
-                                  std::fmax(share / 2, rounding) * piece};
+                                  std::fmax(share / 4, rounding) * piece};
             built.add(speed_of(stretch, bases), {0, 1}, allowed, [&](double w) {
                 return pieces.t_of(stretch.piece, stretch.u_of(w));
             });
@@ -132,7 +133,8 @@ Cells::Cells(const Curve& curve, Tolerance tolerance) {
         for (; next < pieces.size(); ++next) built.add_rest(pieces.part(next).hi);
         build(built, pieces.part(0).lo, [&](double s) { return pieces.in_data(s, 1); });
         const double limit = tolerance.is_relative ? wanted * length() : tolerance.value;
-        if (error_ <= limit || share < rounding) return;
+        const double place_error = pieces.in_data(share / 4 * longest, 1);
+        if (error_ + place_error <= limit || share < rounding) return;
     }
 }
 
