@@ -12,8 +12,8 @@ namespace batten::arc {
 /// The lengths of cubic pieces, eight at a time, in data units.
 struct CubicLengths {
     std::vector<Measured> pieces;
-    /// Those that were left out, rising: with cusps, at rest at an end, a single point, or of a
-    /// size beyond 2^+-200 of the largest.
+    /// Those that were left out, rising: with cusps, at rest at an end, a single point; or all,
+    /// where the curve is beyond 2^+-200 in size, or not in the plane or in space.
     std::vector<std::size_t> left_out;
 };
 
