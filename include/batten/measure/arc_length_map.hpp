@@ -19,8 +19,8 @@ class Cells;
 ///         than the tolerance says. Ends are exact: 0 <-> domain lo, length <-> domain hi.
 /// Holds at cusps, at ends passed with zero speed and on lines that are retraced.
 /// Laws:   points times 2^k give 2^k times the arc lengths and the same parameters, exactly.
-/// Cost:   to make: about 3 us a gentle cubic, 40 us one with a near cusp; then 60 ns a question,
-///         10 ns one of many rising arc lengths. Some 400 bytes a piece.
+/// Cost:   to make: about 2 us a gentle cubic, 50 us one of random control points; then 60 ns a
+///         question, 15 ns one of many rising arc lengths. Some 400 bytes a piece.
 /// Throws: `option.range` unless the tolerance is above 0; `curve.no-length` for a single point;
 ///         `curve.not-finite`; `number.overflow`.
 /// Source: on each of its cells the inverse is a Chebyshev sum, found by Newton's method from that

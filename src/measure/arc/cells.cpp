@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "batten/base/error.hpp"
 #include "measure/arc/series.hpp"
@@ -43,18 +44,38 @@ double between(double x, Interval part) {
 
 }  // namespace
 
-/// Cells as they come, in normal units.
+/// Cells as they come, their lengths in units of the rate.
 struct Cells::Built {
-    std::vector<Cell> cells;
-    std::vector<double> t;  ///< where the cells end
+    std::vector<double> lengths, t;  ///< of the cells, and where they end
+    std::vector<Sum> forward, inverse;
+    std::vector<double> coefficients;
+    num::Sum error;
+
+    explicit Built(std::size_t pieces) {
+        for (auto* numbers : {&lengths, &t}) numbers->reserve(pieces);
+        for (auto* sums : {&forward, &inverse}) sums->reserve(pieces);
+        coefficients.reserve(2 * most_terms * pieces);
+    }
+
+    void keep(const Cell& cell, double end) {
+        const auto kept = [this](const double* c, std::size_t terms) {
+            const auto start = static_cast<std::uint32_t>(coefficients.size());
+            coefficients.insert(coefficients.end(), c, c + terms);
+            return Sum{start, static_cast<std::uint32_t>(terms)};
+        };
+        forward.push_back(kept(cell.forward, cell.forward_terms));
+        inverse.push_back(kept(cell.inverse, cell.inverse_terms));
+        lengths.push_back(cell.length);
+        error.add(cell.error);
+        t.push_back(end);
+    }
 
     /// `t_of` says the parameter at w.
     void add(const Rate& rate, Interval w, const Allowed& allowed, const auto& t_of,
              int halvings = 0) {
         const std::optional<Cell> cell = cell_over(rate, w, allowed);
         if (cell || halvings == most_halvings) {
-            cells.push_back(cell.value_or(standstill()));
-            t.push_back(t_of(w.hi));
+            keep(cell.value_or(standstill()), t_of(w.hi));
             return;
         }
         add(rate, {w.lo, w.middle()}, allowed, t_of, halvings + 1);
@@ -62,10 +83,7 @@ struct Cells::Built {
     }
 
     /// Up to `end` nothing is added up.
-    void add_rest(double end) {
-        cells.push_back(standstill());
-        t.push_back(end);
-    }
+    void add_rest(double end) { keep(standstill(), end); }
 
     static Cell standstill() {
         Cell cell;
@@ -89,11 +107,11 @@ Cells::Cells(std::span<const double> joints, const Rate& rate, double tolerance)
     }
     const double each = tolerance * rough / static_cast<double>(joints.size());
     const Allowed allowed{std::fmax(each, rounding * rough), std::fmax(each, rounding * rough)};
-    Built built;
+    Built built(joints.size());
     for (std::size_t i = 0; i + 1 < joints.size(); ++i) {
         built.add(rate, {joints[i], joints[i + 1]}, allowed, [](double t) { return t; });
     }
-    build(built, joints.front(), [](double s) { return s; });
+    take(std::move(built), joints.front(), [](double s) { return s; });
 }
 
 Cells::Cells(const Curve& curve, Tolerance tolerance) {
@@ -118,7 +136,7 @@ Cells::Cells(const Curve& curve, Tolerance tolerance) {
         tolerance.is_relative ? tolerance.value : pieces.in_normal(tolerance) / polygon;
     // A polygon is longer than its curve, by little: once is mostly enough.
     for (double share = std::fmin(wanted, 0x1p-10);; share /= 8) {
-        Built built;
+        Built built(pieces.size());
         std::size_t next = 0;
         for (const bezier::Stretch& stretch : stretches) {
             for (; next < stretch.piece; ++next) built.add_rest(pieces.part(next).hi);
@@ -131,7 +149,7 @@ Cells::Cells(const Curve& curve, Tolerance tolerance) {
             });
         }
         for (; next < pieces.size(); ++next) built.add_rest(pieces.part(next).hi);
-        build(built, pieces.part(0).lo, [&](double s) { return pieces.in_data(s, 1); });
+        take(std::move(built), pieces.part(0).lo, [&](double s) { return pieces.in_data(s, 1); });
         const double limit = tolerance.is_relative ? wanted * length() : tolerance.value;
         const double place_error = pieces.in_data(share / 4 * longest, 1);
         if (error_ + place_error <= limit || share < rounding) return;
@@ -139,28 +157,19 @@ Cells::Cells(const Curve& curve, Tolerance tolerance) {
 }
 
 template <class InData>
-void Cells::build(const Built& built, double start, InData in_data) {
+void Cells::take(Built built, double start, InData in_data) {
     s_.assign(1, 0);
     t_.assign(1, start);
-    forward_.clear();
-    inverse_.clear();
-    coefficients_.clear();
-    num::Sum s, error;
-    for (std::size_t i = 0; i < built.cells.size(); ++i) {
-        const Cell& cell = built.cells[i];
-        const auto keep = [&](const double* c, std::size_t terms) {
-            const auto start = static_cast<std::uint32_t>(coefficients_.size());
-            coefficients_.insert(coefficients_.end(), c, c + terms);
-            return Sum{start, static_cast<std::uint32_t>(terms)};
-        };
-        forward_.push_back(keep(cell.forward, cell.forward_terms));
-        inverse_.push_back(keep(cell.inverse, cell.inverse_terms));
-        s.add(cell.length);
-        error.add(cell.error);
+    num::Sum s;
+    for (const double length : built.lengths) {
+        s.add(length);
         s_.push_back(in_data(s.value()));
-        t_.push_back(built.t[i]);
     }
-    error_ = in_data(error.value() + rounding * s.value());
+    t_.insert(t_.end(), built.t.begin(), built.t.end());
+    forward_ = std::move(built.forward);
+    inverse_ = std::move(built.inverse);
+    coefficients_ = std::move(built.coefficients);
+    error_ = in_data(built.error.value() + rounding * s.value());
 }
 
 std::size_t Cells::cell_at_s(double s) const {

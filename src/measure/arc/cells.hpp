@@ -44,7 +44,7 @@ private:
     };
     struct Built;
     template <class InData>
-    void build(const Built& built, double start, InData in_data);
+    void take(Built built, double start, InData in_data);
     std::span<const double> terms_of(Sum sum) const {
         return {coefficients_.data() + sum.start, sum.terms};
     }
