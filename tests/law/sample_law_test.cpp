@@ -157,6 +157,19 @@ TEST(SampleLaw, TimeBetweenSamplesIsTheIntegralOfTheDensity) {
     }
 }
 
+TEST(SampleLaw, PassesCuspsWithCurvatureWeights) {
+    const Curve cusp = bezier({0, 0, 1, 1, 0, 1, 1, 0});
+    SampleOptions options = by(Law::curvature, 21);
+    options.curvature_weight = 2;
+    const Sampling made = sample(cusp, options);
+    // Symmetric: the middle sample is the cusp.
+    EXPECT_NEAR(made.rows(10, 2), 0.5 * made.report.length, 1e-6);
+    for (std::size_t i = 0; i < 21; ++i) {
+        EXPECT_NEAR(made.rows(i, 2) + made.rows(20 - i, 2), made.report.length, 1e-6);
+        EXPECT_TRUE(std::isfinite(made.rows(i, 8)) && std::isfinite(made.rows(i, 9)));
+    }
+}
+
 TEST(TimeOptimalLaw, KeepsItsLimitsOnAFineGridAndAlwaysTouchesOne) {
     Random random(10);
     for (int round = 0; round < 4; ++round) {

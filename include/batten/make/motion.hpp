@@ -50,7 +50,7 @@ struct PlaceWeights {
     bool power = false;
 };
 
-/// Accuracy: 1e-12 of the time, 1e-9 next to cusps.
+/// Accuracy: 1e-12 of the time, 1e-7 beside cusps.
 /// Throws `motion.weights` where the rows do not suit the curve or a weight is negative; for
 /// `curvature` `option.range`; `motion.no-weight` where all of it is 0.
 MotionLaw weighted_law(const Curve& curve, const ArcLengthMap& map, const PlaceWeights& weights);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "measure/arc/series.hpp"
+#include "num/gauss.hpp"
 
 namespace batten::arc {
 namespace {
@@ -212,6 +213,15 @@ std::optional<Cell> cell_over(const Rate& rate, Interval part, const Allowed& al
     if (outcome == Outcome::more_terms) outcome = make_24(rate, part, allowed, cell);
     if (outcome != Outcome::made) return std::nullopt;
     return cell;
+}
+
+Cell even_cell_over(const Rate& rate, Interval part) {
+    const auto at = [&](double w) {
+        double value;
+        rate({&w, 1}, {&value, 1});
+        return value;
+    };
+    return even_cell(num::integrate(at, part, num::gauss_legendre(8)), 0);
 }
 
 }  // namespace batten::arc

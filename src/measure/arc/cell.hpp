@@ -43,4 +43,7 @@ struct Allowed {
 /// is looked at between its nodes and at both ends and stays below allowed.place there.
 std::optional<Cell> cell_over(const Rate& rate, Interval part, const Allowed& allowed);
 
+/// The cell passed at one rate, its length by 8 nodes, whatever the error.
+Cell even_cell_over(const Rate& rate, Interval part);
+
 }  // namespace batten::arc

@@ -19,6 +19,9 @@ constexpr double rounding = 0x1p-50;
 constexpr double cells_expected = 8;
 /// Towards a place where the rate is neither smooth nor small.
 constexpr int most_halvings = 60;
+/// A single place that is not smooth takes some 60 halvings.
+constexpr int most_tries = 250;
+constexpr double loosened = 0x1p14;
 constexpr int rough_nodes = 8;
 /// Arc lengths that are worked on side by side.
 constexpr std::size_t lanes = 8;
@@ -50,6 +53,7 @@ struct Cells::Built {
     std::vector<Sum> forward, inverse;
     std::vector<double> coefficients;
     num::Sum error;
+    int tries = 0;  ///< halvings left before less is asked for
 
     explicit Built(std::size_t pieces) {
         for (auto* numbers : {&lengths, &t}) numbers->reserve(pieces);
@@ -73,7 +77,12 @@ struct Cells::Built {
     /// `t_of` says the parameter at w.
     void add(const Rate& rate, Interval w, const Allowed& allowed, const auto& t_of,
              int halvings = 0) {
-        const std::optional<Cell> cell = cell_over(rate, w, allowed);
+        std::optional<Cell> cell = cell_over(rate, w, allowed);
+        // A rate that is not known so well, beside a cusp, would be halved without end.
+        if (!cell && --tries < 0) {
+            cell = cell_over(rate, w, {loosened * allowed.length, loosened * allowed.place});
+            if (!cell && tries < -most_tries) cell = even_cell_over(rate, w);
+        }
         if (cell || halvings == most_halvings) {
             keep(cell.value_or(standstill()), t_of(w.hi));
             return;
@@ -109,6 +118,7 @@ Cells::Cells(std::span<const double> joints, const Rate& rate, double tolerance)
     const Allowed allowed{std::fmax(each, rounding * rough), std::fmax(each, rounding * rough)};
     Built built(joints.size());
     for (std::size_t i = 0; i + 1 < joints.size(); ++i) {
+        built.tries = most_tries;
         built.add(rate, {joints[i], joints[i + 1]}, allowed, [](double t) { return t; });
     }
     take(std::move(built), joints.front(), [](double s) { return s; });
@@ -144,6 +154,7 @@ Cells::Cells(const Curve& curve, Tolerance tolerance) {
             const double piece = polygons[stretch.piece];
             const Allowed allowed{std::fmax(share / cells_expected, rounding) * piece,
                                   std::fmax(share / 4, rounding) * piece};
+            built.tries = most_tries;
             built.add(speed_of(stretch, bases), {0, 1}, allowed, [&](double w) {
                 return pieces.t_of(stretch.piece, stretch.u_of(w));
             });
