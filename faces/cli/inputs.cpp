@@ -1,6 +1,7 @@
 #include "inputs.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
@@ -31,15 +32,41 @@ Input read_input(const std::string& path, const Command& command) {
     return {source.name, PointsInput{table, coordinate_columns(table, command.columns)}};
 }
 
-/// A list of numbers as typed, or nothing where the text is something else.
+/// Whether the text is a number, or one with `r` behind it: a share.
+bool is_number(std::string_view text) {
+    text = trimmed(text);
+    if (!text.empty() && text.back() == 'r') text.remove_suffix(1);
+    return parse_number(text).has_value();
+}
+
+/// Whether the text is a list of numbers as typed.
 bool is_list(const std::string& text) {
     std::size_t start = 0;
     while (start <= text.size()) {
         const std::size_t end = std::min(text.find(',', start), text.size());
-        if (!parse_number(std::string_view(text).substr(start, end - start))) return false;
+        if (!is_number(std::string_view(text).substr(start, end - start))) return false;
         start = end + 1;
     }
     return true;
+}
+
+/// The lines of a file, one number each, some of them shares, as they would be typed; or nothing
+/// where the file is something else.
+std::optional<std::string> listed_shares(const Source& source) {
+    std::string list;
+    bool holds_shares = false;
+    for (std::size_t start = 0; start < source.bytes.size();) {
+        const std::size_t end = std::min(source.bytes.find('\n', start), source.bytes.size());
+        const std::string_view line =
+            trimmed(std::string_view(source.bytes).substr(start, end - start));
+        start = end + 1;
+        if (line.empty() || line.front() == '#') continue;
+        if (!is_number(line)) return std::nullopt;
+        holds_shares = holds_shares || line.back() == 'r';
+        list += (list.empty() ? "" : ",") + std::string(line);
+    }
+    if (!holds_shares) return std::nullopt;
+    return list;
 }
 
 bool is_choice(const Field& field, const std::string& text) {
@@ -61,7 +88,9 @@ Argument read_shape(const std::string& path) {
 }
 
 Argument read_numbers(const std::string& path) {
-    const Table table = read_table(path);
+    const Source source = read_source(path);
+    if (const std::optional<std::string> list = listed_shares(source)) return *list;
+    const Table table = parse_table(source);
     return table.columns() == 1 ? Argument(column_values(table, 0))
                                 : Argument(points_of(table, coordinate_columns(table)));
 }

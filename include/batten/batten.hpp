@@ -23,6 +23,7 @@
 #include "batten/shape/transform.hpp"
 
 // What a curve measures, and how far it is from something.
+#include "batten/measure/arc_length_map.hpp"
 #include "batten/measure/area.hpp"
 #include "batten/measure/centroid.hpp"
 #include "batten/measure/compare.hpp"
@@ -41,8 +42,12 @@
 #include "batten/make/arcs.hpp"
 #include "batten/make/convert.hpp"
 #include "batten/make/densify.hpp"
+#include "batten/make/implicit_cubic.hpp"
 #include "batten/make/interpolate.hpp"
+#include "batten/make/motion.hpp"
+#include "batten/make/motion_law.hpp"
 #include "batten/make/pseudo_segment.hpp"
+#include "batten/make/sample.hpp"
 #include "batten/make/thin.hpp"
 
 // Reading, writing, drawing.

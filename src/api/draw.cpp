@@ -1,9 +1,11 @@
 #include "batten/io/draw/drawing.hpp"
 
 #include <concepts>
+#include <optional>
 #include <string>
 
 #include "api/row.hpp"
+#include "batten/measure/arc_length_map.hpp"
 
 namespace batten::api {
 namespace {
@@ -13,6 +15,7 @@ struct DrawOptions {
     bool control_polygon = false;
     bool curvature = false;
     bool index = false;
+    std::optional<int> samples;
     std::string title;
     int width = 800;
 };
@@ -24,6 +27,8 @@ void visit_fields(Options& o, Visit&& visit) {
     visit("control_polygon", o.control_polygon, anything, "the Bezier control points of each curve");
     visit("curvature", o.curvature, anything, "a second panel: curvature against arc length");
     visit("index", o.index, anything, "number the points, from 0");
+    visit("samples", o.samples, between(2, 1e5),
+          "so many marks on each curve, equally far apart along it");
     visit("title", o.title, anything, "a line of text above the picture");
     visit("width", o.width, between(240, 4000), "width of the picture in pixels");
 }
@@ -39,11 +44,23 @@ void visit_fields(const DrawReport& r, Visit&& visit) {
     visit("points", r.points, "points in the picture");
 }
 
+/// Parameters of `count` points equally far apart along `curve`, its ends among them.
+std::vector<double> equal_marks(const Curve& curve, int count) {
+    const ArcLengthMap map(curve);
+    std::vector<double> t;
+    for (int i = 0; i + 1 < count; ++i) t.push_back(map.t_of(map.length() * i / (count - 1)));
+    t.push_back(curve.domain().hi);
+    return t;
+}
+
 void add_curve(Drawing& drawing, const Curve& curve, const std::string& name,
                const DrawOptions& options) {
     if (options.comb) drawing.add(CombLayer{curve, {}});
     if (options.control_polygon) drawing.add(ControlPolygonLayer{curve, {}});
     drawing.add(CurveLayer{curve, name, {}});
+    if (options.samples) {
+        drawing.add(TicksLayer{curve, equal_marks(curve, *options.samples), {}});
+    }
 }
 
 Outcome run(std::span<const Input> inputs, const DrawOptions& options) {

@@ -44,6 +44,15 @@ int whole(std::string_view text, const Slot& slot) {
     return static_cast<int>(*x);
 }
 
+/// A number in data units, or with `r` behind it a share.
+Tolerance tolerance(std::string_view text, const Slot& slot) {
+    text = trimmed(text);
+    const bool share = !text.empty() && text.back() == 'r';
+    if (share) text.remove_suffix(1);
+    const double value = number(text, slot);
+    return share ? relative(value) : absolute(value);
+}
+
 std::vector<std::string_view> split(std::string_view text, char mark) {
     std::vector<std::string_view> parts;
     while (!text.empty()) {
@@ -94,11 +103,7 @@ void read(const Argument& argument, std::string& out, const Slot& slot) {
 }
 
 void read(const Argument& argument, Tolerance& out, const Slot& slot) {
-    std::string_view text = trimmed(text_of(argument, slot));
-    const bool share = !text.empty() && text.back() == 'r';
-    if (share) text.remove_suffix(1);
-    const double value = number(text, slot);
-    out = share ? relative(value) : absolute(value);
+    out = tolerance(text_of(argument, slot), slot);
 }
 
 void read(const Argument& argument, Angle& out, const Slot& slot) {
@@ -141,6 +146,17 @@ void read(const Argument& argument, std::vector<double>& out, const Slot& slot) 
     }
 }
 
+void read(const Argument& argument, std::vector<Tolerance>& out, const Slot& slot) {
+    out.clear();
+    if (const auto* text = std::get_if<std::string>(&argument)) {
+        for (const std::string_view part : split(*text, ',')) out.push_back(tolerance(part, slot));
+        return;
+    }
+    std::vector<double> numbers;
+    read(argument, numbers, slot);
+    for (const double x : numbers) out.push_back(absolute(x));
+}
+
 void read(const Argument& argument, std::vector<FixedTangent>& out, const Slot& slot) {
     out.clear();
     for (const std::string_view part : split(text_of(argument, slot), ',')) {
@@ -152,6 +168,10 @@ void read(const Argument& argument, std::vector<FixedTangent>& out, const Slot& 
 }
 
 void read(const Argument& argument, Points& out, const Slot& slot) {
+    if (const auto* column = std::get_if<std::vector<double>>(&argument)) {
+        out = Points(*column, 1);
+        return;
+    }
     const Points* rows = std::get_if<Points>(&argument);
     if (!rows) refuse(slot, "not a table", "must be a file of numbers");
     out = *rows;
@@ -180,6 +200,11 @@ Value shown(const IndexRange& x) { return ValueList{x.from, x.to}; }
 Value shown(const Interval& x) { return ValueList{x.lo, x.hi}; }
 Value shown(const std::vector<int>& x) { return ValueList(x.begin(), x.end()); }
 Value shown(const std::vector<double>& x) { return Value(x); }
+Value shown(const std::vector<Tolerance>& x) {
+    ValueList list;
+    for (const Tolerance& each : x) list.push_back(shown(each));
+    return list;
+}
 Value shown(const std::vector<FixedTangent>& x) {
     ValueList list;
     for (const FixedTangent& fixed : x) {
@@ -206,6 +231,7 @@ Spelling spelling(const IndexRange&) { return {FieldKind::list, "FROM,TO"}; }
 Spelling spelling(const Interval&) { return {FieldKind::list, "A,B"}; }
 Spelling spelling(const std::vector<int>&) { return {FieldKind::list, "I,…"}; }
 Spelling spelling(const std::vector<double>&) { return {FieldKind::list, "X,…|FILE", true}; }
+Spelling spelling(const std::vector<Tolerance>&) { return {FieldKind::list, "S,…|FILE", true}; }
 Spelling spelling(const std::vector<FixedTangent>&) { return {FieldKind::list, "I:DEGREES,…"}; }
 Spelling spelling(const Points&) { return {FieldKind::table, "FILE", true}; }
 Spelling spelling(const std::variant<Points, Curve>&) { return {FieldKind::shape, "FILE", true}; }

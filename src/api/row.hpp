@@ -76,5 +76,6 @@ Operation evaluate_row();
 Operation compare_row();
 Operation convert_row();
 Operation draw_row();
+Operation sample_row();
 
 }  // namespace batten::api

@@ -1,10 +1,14 @@
 #include "batten/measure/length.hpp"
 
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
 #include "batten/measure/centroid.hpp"
+#include "batten/shape/piecewise_cubic.hpp"
+#include "measure/arc/cubic_lengths.hpp"
 #include "measure/lengths.hpp"
 #include "num/gauss.hpp"
 #include "num/sum.hpp"
@@ -106,14 +110,63 @@ std::vector<double> first_moment(const Motion& motion, double tolerance) {
 
 }  // namespace bezier
 
-std::vector<Measured> piece_lengths(const Curve& curve, Tolerance tolerance) {
-    bezier::require_tolerance(tolerance);
+namespace {
+
+std::vector<Measured> any_lengths(const Curve& curve, Tolerance tolerance) {
     const bezier::Motion motion(curve);
     std::vector<Measured> result = bezier::lengths(motion, motion.pieces.in_normal(tolerance));
     for (Measured& part : result) {
         part = {motion.pieces.in_data(part.value, 1), motion.pieces.in_data(part.error, 1)};
     }
     return result;
+}
+
+/// Some pieces of a curve, over 0, 1, 2, ..., whether or not they meet.
+struct SomePieces {
+    Curve whole;
+    std::vector<std::size_t> which;
+    std::vector<double> joints;
+
+    int dim() const { return whole.dim(); }
+    std::span<const double> breaks() const { return joints; }
+    bool is_closed() const { return false; }
+    std::optional<int> degree() const { return whole.degree(); }
+    void jets_on(std::size_t piece, std::span<const double> u, int order,
+                 std::span<double> out) const {
+        const Interval part = whole.piece(which[piece]);
+        const std::size_t dim = static_cast<std::size_t>(whole.dim());
+        for (std::size_t i = 0; i < u.size(); ++i) {
+            const double inside = u[i] - joints[piece];
+            const double t = inside == 1 ? part.hi : part.lo + inside * part.length();
+            const auto jet = out.subspan(i * dim * static_cast<std::size_t>(order + 1),
+                                         dim * static_cast<std::size_t>(order + 1));
+            whole.jets_on(which[piece], {&t, 1}, order, jet);
+            double scale = 1;
+            for (std::size_t k = 1; k <= static_cast<std::size_t>(order); ++k) {
+                scale *= part.length();
+                for (double& x : jet.subspan(k * dim, dim)) x *= scale;
+            }
+        }
+    }
+};
+
+}  // namespace
+
+std::vector<Measured> piece_lengths(const Curve& curve, Tolerance tolerance) {
+    bezier::require_tolerance(tolerance);
+    const auto* cubic = curve.shape<PiecewiseCubic>();
+    if (!cubic) return any_lengths(curve, tolerance);
+    const Tolerance half{0.5 * tolerance.value, tolerance.is_relative};
+    arc::CubicLengths plain = arc::cubic_lengths(*cubic, half);
+    if (plain.left_out.empty()) return std::move(plain.pieces);
+    if (plain.left_out.size() == curve.pieces()) return any_lengths(curve, tolerance);
+    std::vector<double> joints;
+    for (std::size_t i = 0; i <= plain.left_out.size(); ++i) {
+        joints.push_back(static_cast<double>(i));
+    }
+    const std::vector<Measured> rest = any_lengths(SomePieces{curve, plain.left_out, joints}, half);
+    for (std::size_t i = 0; i < rest.size(); ++i) plain.pieces[plain.left_out[i]] = rest[i];
+    return std::move(plain.pieces);
 }
 
 Measured length(const Curve& curve, Tolerance tolerance) {

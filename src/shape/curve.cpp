@@ -47,8 +47,10 @@ void Curve::jets(std::span<const double> t, int order, std::span<double> out) co
     std::size_t first = 0;
     while (first < t.size()) {
         const std::size_t piece = piece_of(t[first]);
+        const bool is_first = piece == 0, is_last = piece + 1 == pieces();
+        const auto [lo, hi] = this->piece(piece);
         std::size_t last = first + 1;
-        while (last < t.size() && piece_of(t[last]) == piece) ++last;
+        while (last < t.size() && (is_first || t[last] >= lo) && (is_last || t[last] < hi)) ++last;
         jets_on(piece, t.subspan(first, last - first), order,
                 out.subspan(first * width, (last - first) * width));
         first = last;

@@ -131,10 +131,68 @@ class Results(Folder):
         report = self.report("interpolate", fold, "-o", self.path("c.json"))
         self.assertTrue(math.isfinite(report["report"]["length"]))
 
+    def samples(self, *arguments, input=None):
+        """The header and the rows of numbers that `sample` writes."""
+        lines = self.good("sample", *arguments, "--quiet", input=input).stdout.splitlines()
+        return lines[0], [[float(cell) for cell in line.split(",")] for line in lines[1:]]
+
+    def test_sample_reads_what_interpolate_writes_and_keeps_count_and_columns(self):
+        curve = self.good("interpolate", points("violin.csv"), "--closed").stdout
+        header, rows = self.samples("-", "--count", "100", input=curve)
+        self.assertEqual(header, "i,time,s,t,x,y,tx,ty,kappa,speed")
+        self.assertEqual(len(rows), 100)
+        self.assertEqual([row[0] for row in rows], list(range(100)))
+        steps = [b[2] - a[2] for a, b in zip(rows, rows[1:])]
+        self.assertLess(max(steps) - min(steps), 1e-11 * rows[-1][2])
+        header, rows = self.samples("-", "--law", "s-curve", "--duration", "2", "--fps", "10",
+                                    input=curve)
+        self.assertEqual(len(rows), 21)
+        self.assertEqual(rows[-1][1], 2)
+        self.assertEqual((rows[0][-1], rows[-1][-1]), (0, 0))
+
+    def assert_places(self, rows, places):
+        self.assertEqual(len(rows), len(places))
+        for row, x in zip(rows, places):
+            self.assertAlmostEqual(row[4], x, delta=1e-14 * 10)
+
+    def test_sample_takes_its_laws_from_files(self):
+        line = self.good("interpolate", self.file("l.csv", "0,0\n10,0\n")).stdout
+        places = self.file("p.txt", "# arc lengths, the last two as shares\n0\n2.5\n0.5r\n1r\n")
+        rows = self.samples("-", "--law", "positions", "--positions", places, input=line)[1]
+        self.assert_places(rows, [0, 2.5, 5, 10])
+        rows = self.samples("-", "--law", "positions", "--positions", "0,0.25r,10", input=line)[1]
+        self.assert_places(rows, [0, 2.5, 10])
+        steps = self.file("w.csv", "1\n3\n4\n2\n")
+        rows = self.samples("-", "--law", "relative", "--weights", steps, input=line)[1]
+        self.assert_places(rows, [0, 1, 4, 8, 10])
+        keys = self.file("k.csv", "time,s\n0,0\n1,6\n3,6\n4,10\n")
+        rows = self.samples("-", "--law", "keyframes", "--keys", keys, "--fps", "1",
+                            input=line)[1]
+        self.assert_places(rows, [0, 6, 6, 6, 10])
+        weights = self.file("d.csv", "s,w\n0,1\n10,3\n")
+        rows = self.samples("-", "--law", "weight", "--weights", weights, "--count", "3",
+                            input=line)[1]
+        self.assertAlmostEqual(rows[1][4], 5 * (5 ** 0.5 - 1), delta=1e-12)  # x + x^2 / 10 = 10
+
+    def test_sample_draws_and_reports_and_the_paper_method_takes_points(self):
+        report = self.report("sample", points("violin.csv"), "--method", "harada-nakamae",
+                             "--count", "200", "-o", self.path("s.csv"),
+                             "--draw", self.path("s.svg"))
+        self.assertGreater(report["report"]["max_position_error"], 0)
+        for key in ("length", "max_spacing_error", "duration", "overrun", "correction"):
+            self.assertIn(key, report["report"])
+        self.assertGreater(os.path.getsize(self.path("s.svg")), 1000)
+
+    def test_draw_marks_equal_distances(self):
+        self.good("interpolate", points("violin.csv"), "--closed", "-o", self.path("c.json"))
+        self.good("draw", self.path("c.json"), "--samples", "50", "-o", self.path("c.svg"))
+        self.good("draw", self.path("c.json"), "-o", self.path("d.svg"))
+        self.assertGreater(os.path.getsize(self.path("c.svg")), os.path.getsize(self.path("d.svg")))
+
     def test_help_of_every_verb_lists_its_options(self):
         top = self.good("--help").stdout
-        for verb in ("interpolate", "densify", "thin", "arcs", "measure", "evaluate", "compare",
-                     "convert", "draw"):
+        for verb in ("interpolate", "densify", "thin", "arcs", "sample", "measure", "evaluate",
+                     "compare", "convert", "draw"):
             self.assertIn(verb, top)
             self.assertIn("--report", self.good(verb, "--help").stdout)
         self.assertIn("--weight-exponent", self.good("interpolate", "--help").stdout)
@@ -320,6 +378,27 @@ class BadInput(Folder):
         self.refused("usage")
         self.refused("input.kind", "measure", self.file("q.csv", "0,0\n1,1\n"),
                      says=["batten interpolate"])
+
+    def test_samples_that_cannot_be_taken(self):
+        self.good("interpolate", self.file("l.csv", "0,0\n10,0\n"), "-o", self.path("l.json"))
+        line = self.path("l.json")
+
+        def refused(error_id, *more, says=()):
+            self.refused(error_id, "sample", line, *more, "-o", "out.csv", says=says)
+
+        refused("option.missing", says=["--count"])
+        refused("option.range", "--count", "1", says=["--count"])
+        refused("option.choice", "--count", "5", "--law", "warp", says=["--law", "time-optimal"])
+        refused("sample.options", "--count", "5", "--spacing", "1")
+        refused("motion.positions", "--law", "positions", "--positions", "0,11", says=["row 2"])
+        refused("motion.weights", "--law", "relative", "--weights", self.file("w.csv", "1\n-1\n"))
+        refused("motion.keys", "--law", "keyframes", "--count", "5",
+                "--keys", self.file("k.csv", "0,0\n0,5\n"))
+        refused("option.missing", "--law", "time-optimal", "--count", "5", says=["--max-speed"])
+        refused("option.range", "--law", "time-optimal", "--count", "5", "--max-speed", "0")
+        refused("curve.dimension", "--count", "5", "--frames")
+        self.refused("input.kind", "sample", self.file("p.csv", "0,0\n1,1\n"), "--count", "5")
+        self.refused("input.kind", "sample", line, "--count", "5", "--method", "harada-nakamae")
 
     def test_nothing_written_is_ever_nan(self):
         for rows in ("0,0\n1e-300,0\n0,1e-300\n", "0,0\n1e150,0\n0,1e150\n", "0,0\n1,0\n2,0\n"):

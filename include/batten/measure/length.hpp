@@ -17,7 +17,7 @@ namespace batten {
 /// Holds at cusps, at ends passed with zero speed and on lines that are retraced.
 /// Laws:   (1) the lengths of [a, b] and [b, c] add up to that of [a, c] within both errors;
 ///         (2) points times 2^k give exactly 2^k times the length.
-/// Cost:   about 3 us a gentle cubic, 10 us more towards a cusp, after 10 us of set-up.
+/// Cost:   piecewise cubics 20 ns a gentle piece, 0.3 us a random one; other curves 3 us a piece.
 /// Throws: `option.range`; `curve.not-finite`; `number.overflow`.
 /// Source: Gauss-Legendre with as many nodes as a bound on the speed in the complex plane asks
 ///         for [Trefethen2013, theorem 19.3], halving where that is too many.
