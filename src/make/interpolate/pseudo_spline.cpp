@@ -9,13 +9,18 @@
 #include "make/interpolate/space_pseudo.hpp"
 #include "make/pseudo/global/angles.hpp"
 #include "make/pseudo/local_angles.hpp"
+#include "make/pseudo/tables/segments.hpp"
 
 namespace batten::interpolation {
 namespace {
 
+pseudo::Search search_of(const InterpolateOptions& options) {
+    return options.exact ? pseudo::Search::minimiser : pseudo::Search::tables;
+}
+
 pseudo::AngleRules rules_of(const Outline& outline, const InterpolateOptions& options) {
     return {outline.closed, options.weight_exponent, options.tangent, outline.corners,
-            options.progress};
+            options.progress, search_of(options)};
 }
 
 /// The points at a scale where no square leaves the range of a double: angles stay the same bits.
@@ -45,10 +50,11 @@ PiecewiseCubic planar_curve(const Outline& outline, const std::vector<PseudoSegm
 }
 
 PiecewiseCubic space_curve(const Outline& outline, const InterpolateOptions& options) {
-    const Tangents tangents = space_tangents(outline, options.weight_exponent);
+    const SpaceRule rule{options.weight_exponent, search_of(options), options.progress};
+    const Tangents tangents = space_tangents(outline, rule);
     return hermite_curve(outline,
                          derivatives_of(outline, tangents,
-                                        space_magnitudes(outline, tangents, options.progress)));
+                                        space_magnitudes(outline, tangents, rule)));
 }
 
 }  // namespace
@@ -63,7 +69,7 @@ Built pseudo_spline(const Outline& outline, const InterpolateOptions& options) {
         pseudo::local_angles(of_middling_size(outline), rules);
     std::vector<PseudoSegment> segments;
     for (const pseudo::SpanAngles& span : spans) {
-        segments.push_back(least_pseudo_segment(span.theta0, span.theta1));
+        segments.push_back(pseudo::least_segment(span.theta0, span.theta1, rules.search));
         rest.at(segments.size(), spans.size());
     }
     return {planar_curve(outline, segments), Status::met, {}};
