@@ -103,25 +103,41 @@ void add_pieces(Interval part, int level, std::vector<EndPiece>& pieces) {
     add_pieces({part.middle(), part.hi}, level + 1, pieces);
 }
 
-Guess guess_for(std::size_t part) {
-    Guess values{}, c{};
-    for (std::size_t i = 0; i < guess_size; ++i) {
-        const double turn =
-            (static_cast<double>(part) + 0.5 + 0.5 * node<guess_size>(i)) * pi / guess_count;
-        for (std::size_t j = 0; j < guess_size; ++j) {
-            const double weight = 0.5 + 0.5 * node<guess_size>(j);
+Share share_for(Interval turns, Interval weights) {
+    Share values{}, c{};  // values[i][j] for turn i, weight j
+    for (std::size_t i = 0; i < share_size; ++i) {
+        const double turn = turns.middle() + 0.5 * turns.length() * node<share_size>(i);
+        for (std::size_t j = 0; j < share_size; ++j) {
+            const double weight = weights.middle() + 0.5 * weights.length() * node<share_size>(j);
             const double u = three_point_angle({turn, 1, weight}, 1).angle;
             values[i][j] = u * (1 + weight) / (weight * turn);
         }
-        values[i] = chebyshev_coefficients(values[i]);
+        values[i] = powers(chebyshev_coefficients(values[i]));
     }
-    for (std::size_t j = 0; j < guess_size; ++j) {
-        std::array<double, guess_size> column{};
-        for (std::size_t i = 0; i < guess_size; ++i) column[i] = values[i][j];
-        column = chebyshev_coefficients(column);
-        for (std::size_t i = 0; i < guess_size; ++i) c[i][j] = column[i];
+    for (std::size_t j = 0; j < share_size; ++j) {
+        for (std::size_t i = 0; i < share_size; ++i) c[j][i] = values[i][j];
+        c[j] = powers(chebyshev_coefficients(c[j]));
     }
     return c;
+}
+
+std::vector<Share> shares(double first_kink) {
+    std::vector<Share> result;
+    const auto part = [](Interval whole, std::size_t k, std::size_t count) {
+        const double step = whole.length() / static_cast<double>(count);
+        const double lo = whole.lo + static_cast<double>(k) * step;
+        return Interval{lo, lo + step};
+    };
+    for (std::size_t i = 0; i < smooth_parts; ++i) {
+        for (std::size_t j = 0; j < weight_parts; ++j) {
+            result.push_back(share_for(part({0, first_kink}, i, smooth_parts),
+                                       part({0, 1}, j, weight_parts)));
+        }
+    }
+    for (std::size_t i = 0; i < rough_parts; ++i) {
+        result.push_back(share_for(part({first_kink, pi}, i, rough_parts), {0, 1}));
+    }
+    return result;
 }
 
 template <class Numbers>
@@ -149,10 +165,10 @@ std::string end_tables() {
         text += "{" + format_number(p.lo) + ", " + format_number(p.hi) + ", {" + listed(p.energy) +
                 "}, {" + listed(p.ratio) + "}},\n";
     }
-    text += "}};\n\nconst std::array<Guess, guess_count> guesses{{\n";
-    for (std::size_t part = 0; part < guess_count; ++part) {
+    text += "}};\n\nconst std::array<Share, smooth_parts * weight_parts + rough_parts> shares{{\n";
+    for (const Share& share : shares(kinks.front())) {
         text += "{{";
-        for (const auto& row : guess_for(part)) text += "{" + listed(row) + "},\n";
+        for (const auto& row : share) text += "{" + listed(row) + "},\n";
         text += "}},\n";
     }
     return text + "}};\n";

@@ -65,7 +65,7 @@ int main(int count, char** words) {
         "namespace {\n" + end_tables() + "}  // namespace\n\n"
         "std::span<const double> end_kinks() { return kinks; }\n"
         "std::span<const EndPiece> end_pieces() { return pieces; }\n"
-        "std::span<const Guess> three_point_guesses() { return guesses; }\n");
+        "std::span<const Share> three_point_shares() { return shares; }\n");
     const bool is_written = write(folder + "/end_table.cpp", ends) &&
                             write(folder + "/segment_table.cpp", segment_tables());
     return is_written ? 0 : 1;

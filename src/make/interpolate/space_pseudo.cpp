@@ -47,7 +47,7 @@ Vector inner_tangent(const RunPoints& run, std::size_t j, const SpaceRule& rule)
     const pseudo::ThreePoints three{turn.angle, run.lengths[before], run.lengths[j]};
     const double angle =
         rule.search == pseudo::Search::tables
-            ? pseudo::tabulated_three_point_angle(three, rule.weight_exponent).angle
+            ? pseudo::tabulated_three_point_angle(three, rule.weight_exponent)
             : pseudo::three_point_angle(three, rule.weight_exponent).angle;
     return turned(first, turn.side, angle);
 }

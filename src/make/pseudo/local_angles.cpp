@@ -80,7 +80,7 @@ void Joints::put_rule(std::size_t i) {
     const ThreePoints three{turn, span_before(i).length, spans_[i].length};
     const double angle =
         rules_.search == Search::tables
-            ? tabulated_three_point_angle(three, rules_.weight_exponent).angle
+            ? tabulated_three_point_angle(three, rules_.weight_exponent)
             : three_point_angle(three, rules_.weight_exponent).angle;
     joints_[i] = {angle, wrap(angle - turn)};
 }

@@ -57,7 +57,9 @@ ChartPoint chart_point(const AnglePair& a) {
     const double bend = rise / a.theta0;
     const double size1 = std::fabs(a.theta1);
     if (a.theta0 < node_angle0) {
-        const double across = bend - crease(a.theta0);
+        // The crease lies between 0.41 and 0.7.
+        const bool may_be_near = bend > 0.3 && bend < 0.81;
+        const double across = may_be_near ? bend - crease(a.theta0) : 1;
         if (std::fabs(across) < strip_half_width) {
             return {Chart::strip, a.theta0, std::asinh(across / crease_unit(a.theta0))};
         }

@@ -81,23 +81,42 @@ struct Tangent {
     double u = 0, energy = 0;
 };
 
-double guess(const Balance& b) {
-    const double part = b.turn * (guess_count / pi);
-    const std::size_t k = std::min(static_cast<std::size_t>(part), guess_count - 1);
-    const double x = 2 * (part - static_cast<double>(k)) - 1, y = 2 * b.weight - 1;
-    const Guess& table = three_point_guesses()[k];
-    std::array<double, guess_size> in_x{1, x};
-    for (std::size_t i = 2; i < guess_size; ++i) in_x[i] = 2 * x * in_x[i - 1] - in_x[i - 2];
-    double sum = 0, before = y, now = 1;
-    for (std::size_t j = 0; j < guess_size; ++j) {
-        double column = 0;
-        for (std::size_t i = 0; i < guess_size; ++i) column += table[i][j] * in_x[i];
-        sum += now * column;
-        const double next = 2 * y * now - before;
-        before = now;
-        now = next;
+/// A number's place in equal parts of [lo, hi].
+struct Part {
+    Part(double at, double lo, double hi, std::size_t count) {
+        const double scaled = (at - lo) * (static_cast<double>(count) / (hi - lo));
+        index = std::min(static_cast<std::size_t>(scaled), count - 1);
+        x = 2 * (scaled - static_cast<double>(index)) - 1;
     }
+    std::size_t index;
+    double x;  // -1 to 1
+};
+
+double tabulated_share(const Balance& b) {
+    const double kink = end_kinks().front();
+    const bool is_smooth = b.turn < kink;
+    const Part turn = is_smooth ? Part(b.turn, 0, kink, smooth_parts)
+                                : Part(b.turn, kink, pi, rough_parts);
+    const Part weight(b.weight, 0, 1, is_smooth ? weight_parts : 1);
+    const std::size_t index = is_smooth ? turn.index * weight_parts + weight.index
+                                        : smooth_parts * weight_parts + turn.index;
+    const Share& table = three_point_shares()[index];
+    const double x = turn.x, y = weight.x;
+    std::array<double, share_size> r = table[share_size - 1];
+    for (std::size_t j = share_size - 1; j-- > 0;) {
+        for (std::size_t i = 0; i < share_size; ++i) r[i] = r[i] * y + table[j][i];
+    }
+    const double x2 = x * x;
+    const double sum = ((r[0] + r[1] * x) + (r[2] + r[3] * x) * x2) +
+                       ((r[4] + r[5] * x) + (r[6] + r[7] * x) * x2) * (x2 * x2);
     return sum * b.weight / (1 + b.weight) * b.turn;
+}
+
+/// Whether w falls at the lower and rises at the upper end of a part between two kinks.
+bool has_minimum(const Balance& b, double lo, double hi) {
+    const double margin = 1e-9 * b.turn;  // a kink itself belongs to both sides
+    return (lo == 0 || b.at(lo + margin).first < 0) &&
+           (hi == b.turn || b.at(hi - margin).first > 0);
 }
 
 /// The least w between two neighbouring kinks, by Newton's method in a shrinking bracket.
@@ -121,9 +140,9 @@ Tangent least_between(const Balance& b, double lo, double hi, double start) {
     return {u, b.at(u).value};
 }
 
-/// The least w. J(theta) is concave at its kinks, so w has its minima between them; which of two
+/// The least w where there are kinks. J(theta) is concave at its kinks, so w has its minima between them; which of two
 /// neighbouring ones is least, no guess can tell, but they are never 5 degrees apart.
-Tangent least(const Balance& b) {
+Tangent least_among_kinks(const Balance& b) {
     constexpr double apart = 0.09;
     std::array<double, 10> ends{0, b.turn};
     std::size_t count = 2;
@@ -133,18 +152,23 @@ Tangent least(const Balance& b) {
             ends[count++] = b.turn - kink;
         }
     }
-    const double start = guess(b);
-    if (count == 2) return least_between(b, 0, b.turn, start);
+    const double start = tabulated_share(b);
     std::sort(ends.begin(), ends.begin() + static_cast<std::ptrdiff_t>(count));
-    Tangent best;
+    Tangent best{start, 0};
     bool is_found = false;
     for (std::size_t i = 0; i + 1 < count; ++i) {
         if (ends[i + 1] < start - apart || ends[i] > start + apart) continue;
+        if (!has_minimum(b, ends[i], ends[i + 1])) continue;
         const Tangent t = least_between(b, ends[i], ends[i + 1], start);
         if (!is_found || t.energy < best.energy) best = t;
         is_found = true;
     }
+    if (!is_found) best.energy = b.at(start).value;
     return best;
+}
+
+double least(const Balance& b) {
+    return b.turn < end_kinks().front() ? tabulated_share(b) : least_among_kinks(b).u;
 }
 
 }  // namespace
@@ -159,27 +183,19 @@ TabulatedEnd tabulated_end(double theta) {
     return {ratio * theta, j.value, std::copysign(j.first, theta), j.second};
 }
 
-ThreePointAngle tabulated_three_point_angle(const ThreePoints& points, double weight_exponent) {
+double tabulated_three_point_angle(const ThreePoints& points, double weight_exponent) {
     const double turn = std::fabs(points.turn);
-    if (turn == 0) return {};
+    if (turn == 0) return 0;
     const bool is_first_longer = points.length0 >= points.length1;
     const double longer = is_first_longer ? points.length0 : points.length1;
     const double ratio = (is_first_longer ? points.length1 : points.length0) / longer;
     const bool is_plain = weight_exponent == 1 || ratio == 1;
     const double weight = is_plain ? std::fmax(ratio, 1e-60)
                                    : relative_weight(ratio, weight_exponent);
-    const double unit = weight_exponent == 1 ? longer : std::pow(longer, weight_exponent);
-    Tangent t{turn / 2, 0};
-    if (weight == 1) {
-        t.energy = 2 * slopes_at(turn / 2).value;
-    } else if (weight < 1) {
-        t = least({turn, weight});
-    } else {
-        t = least({turn, 1 / weight});
-        t = {turn - t.u, weight * t.energy};
-    }
-    const double angle = is_first_longer ? t.u : turn - t.u;
-    return {std::copysign(angle, points.turn), unit * t.energy, true};
+    double from_longer = turn / 2;
+    if (weight < 1) from_longer = least({turn, weight});
+    if (weight > 1) from_longer = turn - least({turn, 1 / weight});
+    return std::copysign(is_first_longer ? from_longer : turn - from_longer, points.turn);
 }
 
 }  // namespace batten::pseudo
