@@ -40,6 +40,7 @@
 #include "batten/make/convert.hpp"
 #include "batten/make/interpolate.hpp"
 #include "batten/make/pseudo_segment.hpp"
+#include "batten/make/pseudo_spline.hpp"
 
 // Reading, writing, drawing.
 #include "batten/io/curve_file.hpp"

@@ -27,7 +27,40 @@ Outputs plain_polynomial(const double* c, double u, double v) {
     return out;
 }
 
+constexpr int small_size = 8;
+
+/// From the sums of the powers of y: r[i] belongs to x^i.
+double in_powers(const double* r, double x) {
+    const double x2 = x * x;
+    return ((r[0] + r[1] * x) + (r[2] + r[3] * x) * x2) +
+           ((r[4] + r[5] * x) + (r[6] + r[7] * x) * x2) * (x2 * x2);
+}
+
+double plain_8x8(const double* c, double x, double y) {
+    std::array<double, small_size> sums{};
+    for (int j = small_size; j-- > 0;) {
+        for (std::size_t i = 0; i < small_size; ++i) {
+            sums[i] = sums[i] * y + c[static_cast<std::size_t>(j) * small_size + i];
+        }
+    }
+    return in_powers(sums.data(), x);
+}
+
 #ifdef BATTEN_HAS_X86_LEVELS
+
+__attribute__((target("avx2,fma"))) double avx2_8x8(const double* c, double x, double y) {
+    const __m256d in_y = _mm256_set1_pd(y);
+    const double* const last = c + (small_size - 1) * small_size;
+    __m256d low = _mm256_loadu_pd(last), high = _mm256_loadu_pd(last + 4);
+    for (int j = small_size - 1; j-- > 0;) {
+        low = _mm256_fmadd_pd(low, in_y, _mm256_loadu_pd(c + j * small_size));
+        high = _mm256_fmadd_pd(high, in_y, _mm256_loadu_pd(c + j * small_size + 4));
+    }
+    double sums[small_size];
+    _mm256_storeu_pd(sums, low);
+    _mm256_storeu_pd(sums + 4, high);
+    return in_powers(sums, x);
+}
 
 template <int Size>
 __attribute__((target("avx2,fma"))) Outputs avx2_polynomial(const double* c, double u, double v) {
@@ -107,6 +140,14 @@ Outputs polynomial_at(Level level, const Shape& shape, const double* c, double u
     assert(shape.width == 12 || shape.width == 10);
     return shape.width == 12 ? sized_polynomial<12>(level, c, u, v)
                              : sized_polynomial<10>(level, c, u, v);
+}
+
+double polynomial_8x8(const double* c, double x, double y) {
+#ifdef BATTEN_HAS_X86_LEVELS
+    static const bool has_avx2 = is_offered(Level::avx2);
+    if (has_avx2) return avx2_8x8(c, x, y);
+#endif
+    return plain_8x8(c, x, y);
 }
 
 Outputs polynomial(const Shape& shape, const double* c, double u, double v) {

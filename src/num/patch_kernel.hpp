@@ -12,6 +12,9 @@ namespace batten::patches {
 /// coefficient.
 Outputs polynomial(const Shape& shape, const double* coefficients, double u, double v);
 
+/// The sum of c[j][i] x^i y^j for i, j < 8, at the best level.
+double polynomial_8x8(const double* coefficients, double x, double y);
+
 /// The levels of `polynomial`, for comparisons; `is_offered` says whether this processor has one.
 enum class Level { plain, avx2, avx512 };
 bool is_offered(Level level);

@@ -6,6 +6,7 @@
 
 #include "batten/base/text.hpp"
 #include "batten/make/pseudo_segment.hpp"
+#include "make/interpolate/pseudo_pass.hpp"
 #include "make/interpolate/space_pseudo.hpp"
 #include "make/pseudo/global/angles.hpp"
 #include "make/pseudo/local_angles.hpp"
@@ -62,6 +63,11 @@ PiecewiseCubic space_curve(const Outline& outline, const InterpolateOptions& opt
 Built pseudo_spline(const Outline& outline, const InterpolateOptions& options) {
     if (outline.points.dim() == 3)
         return {space_curve(outline, options), Status::met, {}};
+    const bool is_plain = options.tangent.empty() && outline.corners.empty() && !options.exact;
+    if (is_plain && has_safe_chords(outline)) {
+        const PseudoSplineOptions plain{outline.closed, options.weight_exponent, options.progress};
+        return {pseudo_pass(outline, plain).curve, Status::met, {}};
+    }
     pseudo::AngleRules rules = rules_of(outline, options);
     rules.progress = options.progress.stage(0, 0.75);
     const Progress rest = options.progress.stage(0.75, 1);

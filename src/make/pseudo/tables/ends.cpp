@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "make/pseudo/tables/tabulated.hpp"
+#include "num/patch_kernel.hpp"
 
 namespace batten::pseudo {
 namespace {
@@ -101,15 +102,9 @@ double tabulated_share(const Balance& b) {
     const std::size_t index = is_smooth ? turn.index * weight_parts + weight.index
                                         : smooth_parts * weight_parts + turn.index;
     const Share& table = three_point_shares()[index];
-    const double x = turn.x, y = weight.x;
-    std::array<double, share_size> r = table[share_size - 1];
-    for (std::size_t j = share_size - 1; j-- > 0;) {
-        for (std::size_t i = 0; i < share_size; ++i) r[i] = r[i] * y + table[j][i];
-    }
-    const double x2 = x * x;
-    const double sum = ((r[0] + r[1] * x) + (r[2] + r[3] * x) * x2) +
-                       ((r[4] + r[5] * x) + (r[6] + r[7] * x) * x2) * (x2 * x2);
-    return sum * b.weight / (1 + b.weight) * b.turn;
+    static_assert(share_size == 8);
+    const double share = patches::polynomial_8x8(table[0].data(), turn.x, weight.x);
+    return share * b.weight / (1 + b.weight) * b.turn;
 }
 
 /// Whether w falls at the lower and rises at the upper end of a part between two kinks.
