@@ -15,13 +15,13 @@
 namespace batten::interpolation {
 namespace {
 
-pseudo::Search search_of(const InterpolateOptions& options) {
-    return options.exact ? pseudo::Search::minimiser : pseudo::Search::tables;
+pseudo::Source source_of(const InterpolateOptions& options) {
+    return options.exact ? pseudo::Source::minimiser : pseudo::Source::tables;
 }
 
 pseudo::AngleRules rules_of(const Outline& outline, const InterpolateOptions& options) {
     return {outline.closed, options.weight_exponent, options.tangent, outline.corners,
-            options.progress, search_of(options)};
+            options.progress, source_of(options)};
 }
 
 /// The points at a scale where no square leaves the range of a double: angles stay the same bits.
@@ -51,7 +51,7 @@ PiecewiseCubic planar_curve(const Outline& outline, const std::vector<PseudoSegm
 }
 
 PiecewiseCubic space_curve(const Outline& outline, const InterpolateOptions& options) {
-    const SpaceRule rule{options.weight_exponent, search_of(options), options.progress};
+    const SpaceRule rule{options.weight_exponent, source_of(options), options.progress};
     const Tangents tangents = space_tangents(outline, rule);
     return hermite_curve(outline,
                          derivatives_of(outline, tangents,
@@ -75,7 +75,7 @@ Built pseudo_spline(const Outline& outline, const InterpolateOptions& options) {
         pseudo::local_angles(of_middling_size(outline), rules);
     std::vector<PseudoSegment> segments;
     for (const pseudo::SpanAngles& span : spans) {
-        segments.push_back(pseudo::least_segment(span.theta0, span.theta1, rules.search));
+        segments.push_back(pseudo::least_segment(span.theta0, span.theta1, rules.source));
         rest.at(segments.size(), spans.size());
     }
     return {planar_curve(outline, segments), Status::met, {}};

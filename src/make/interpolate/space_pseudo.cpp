@@ -46,7 +46,7 @@ Vector inner_tangent(const RunPoints& run, std::size_t j, const SpaceRule& rule)
     const Leaning turn = leaning(second, first);
     const pseudo::ThreePoints three{turn.angle, run.lengths[before], run.lengths[j]};
     const double angle =
-        rule.search == pseudo::Search::tables
+        rule.source == pseudo::Source::tables
             ? pseudo::tabulated_three_point_angle(three, rule.weight_exponent)
             : pseudo::three_point_angle(three, rule.weight_exponent).angle;
     return turned(first, turn.side, angle);
@@ -54,9 +54,9 @@ Vector inner_tangent(const RunPoints& run, std::size_t j, const SpaceRule& rule)
 
 /// The free end of a chord whose other end has the tangent `next`.
 Vector end_tangent(std::span<const double> chord, std::span<const double> next,
-                   pseudo::Search search) {
+                   pseudo::Source source) {
     const Leaning lean = leaning(next, chord);
-    const double angle = search == pseudo::Search::tables
+    const double angle = source == pseudo::Source::tables
                              ? pseudo::tabulated_end(lean.angle).theta1
                              : pseudo::free_end(lean.angle).segment.theta1;
     return turned(chord, lean.side, angle);
@@ -64,13 +64,13 @@ Vector end_tangent(std::span<const double> chord, std::span<const double> next,
 
 /// Between the least segments with both tangents on one side, and on opposite sides.
 PseudoSegment blended(std::span<const double> chord, std::span<const double> start,
-                      std::span<const double> end, pseudo::Search search) {
+                      std::span<const double> end, pseudo::Source source) {
     const Leaning first = leaning(start, chord), second = leaning(end, chord);
     const double same = 0.5 + 0.5 * dot(first.side, second.side);
     const PseudoSegment one_side =
-        pseudo::least_segment(first.angle, second.angle, search);
+        pseudo::least_segment(first.angle, second.angle, source);
     const PseudoSegment two_sides =
-        pseudo::least_segment(first.angle, -second.angle, search);
+        pseudo::least_segment(first.angle, -second.angle, source);
     return {first.angle, second.angle, same * one_side.r0 + (1 - same) * two_sides.r0,
             same * one_side.r1 + (1 - same) * two_sides.r1};
 }
@@ -89,8 +89,8 @@ Tangents space_tangents(const Outline& outline, const SpaceRule& rule) {
         if (run.closed) return tangents;
         const Vector first = direction(run.points[0], run.points[1]);
         const Vector final = direction(run.points[last - 1], run.points[last]);
-        tangents[0] = last > 1 ? end_tangent(first, tangents[1], rule.search) : first;
-        tangents[last] = last > 1 ? end_tangent(final, tangents[last - 1], rule.search) : final;
+        tangents[0] = last > 1 ? end_tangent(first, tangents[1], rule.source) : first;
+        tangents[last] = last > 1 ? end_tangent(final, tangents[last - 1], rule.source) : final;
         return tangents;
     });
 }
@@ -102,7 +102,7 @@ Magnitudes space_magnitudes(const Outline& outline, const Tangents& tangents,
     for (std::size_t i = 0; i < outline.chords.lengths.size(); ++i) {
         const std::size_t next = (i + 1) % n;
         const Vector chord = direction(outline.points[i], outline.points[next]);
-        const PseudoSegment segment = blended(chord, tangents.out[i], tangents.in[next], rule.search);
+        const PseudoSegment segment = blended(chord, tangents.out[i], tangents.in[next], rule.source);
         result.start.push_back(segment.r0);
         result.end.push_back(segment.r1);
         rule.progress.at(i + 1, outline.chords.lengths.size());

@@ -9,7 +9,7 @@ namespace batten::interpolation {
 
 struct SpaceRule {
     double weight_exponent = 1;
-    pseudo::Search search = pseudo::Search::minimiser;
+    pseudo::Source source = pseudo::Source::minimiser;
     Progress progress = {};
 };
 

@@ -61,7 +61,7 @@ private:
     void put_rule(std::size_t i);
     void put_fixed(const FixedTangent& tangent);
     double free_angle(double other) const {
-        return rules_.search == Search::tables ? tabulated_end(other).theta1
+        return rules_.source == Source::tables ? tabulated_end(other).theta1
                                                : free_end(other).segment.theta1;
     }
 
@@ -79,7 +79,7 @@ void Joints::put_rule(std::size_t i) {
         turn_between(chord_between(points_, before, i), chord_between(points_, i, after));
     const ThreePoints three{turn, span_before(i).length, spans_[i].length};
     const double angle =
-        rules_.search == Search::tables
+        rules_.source == Source::tables
             ? tabulated_three_point_angle(three, rules_.weight_exponent)
             : three_point_angle(three, rules_.weight_exponent).angle;
     joints_[i] = {angle, wrap(angle - turn)};

@@ -9,7 +9,7 @@
 namespace batten::pseudo {
 
 /// Where least minima come from.
-enum class Search {
+enum class Source {
     minimiser,
     tables  // within the accuracy of tables/ends.hpp
 };
@@ -21,7 +21,7 @@ struct AngleRules {
     std::vector<FixedTangent> tangents;  // absolute directions
     std::vector<int> corners;            // points where both sides end freely
     Progress progress = {};
-    Search search = Search::minimiser;
+    Source source = Source::minimiser;
 };
 
 /// A chord between neighbouring points and the end tangents of its span.

@@ -121,8 +121,8 @@ TabulatedSegment tabulated_segment(double theta0, double theta1) {
     return s;
 }
 
-PseudoSegment least_segment(double theta0, double theta1, Search search) {
-    if (search == Search::minimiser) return least_pseudo_segment(theta0, theta1);
+PseudoSegment least_segment(double theta0, double theta1, Source source) {
+    if (source == Source::minimiser) return least_pseudo_segment(theta0, theta1);
     const TabulatedSegment s = tabulated_segment(theta0, theta1);
     return {theta0, theta1, s.r0, s.r1};
 }

@@ -25,6 +25,6 @@ struct TabulatedSegment {
 TabulatedSegment tabulated_segment(double theta0, double theta1);
 
 /// `least_pseudo_segment` by either way. Requires: angles in [-pi, pi].
-PseudoSegment least_segment(double theta0, double theta1, Search search);
+PseudoSegment least_segment(double theta0, double theta1, Source source);
 
 }  // namespace batten::pseudo
