@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "batten/base/error.hpp"
 #include "batten/make/interpolate.hpp"
 #include "batten/make/pseudo_spline.hpp"
 #include "batten/measure/area.hpp"
@@ -75,9 +76,10 @@ TEST(TabulatedSegments, OfShortArcsMeasureWhatTheyAreSaidTo) {
         const double theta1 = t * (t * random.within(0, 2) - 1);
         const TabulatedSegment s = tabulated_segment(t, theta1);
         const PseudoMeasures m = measure(PseudoSegment{t, theta1, s.r0, s.r1});
-        EXPECT_NEAR(s.pseudo_energy, m.pseudo_energy, 2e-12 * m.pseudo_energy) << t << ' ' << theta1;
+        // r0, r1 are scaled down from larger arcs below 1.2 degrees.
+        EXPECT_NEAR(s.pseudo_energy, m.pseudo_energy, 1e-11 * m.pseudo_energy) << t << ' ' << theta1;
         EXPECT_NEAR(s.length, m.length, 1e-10) << t << ' ' << theta1;
-        // Nowhere above the minimiser, which below 1.2 degrees may miss the least by 1e-11.
+        // Nowhere above the minimiser, which there may miss the least by 1e-11.
         const double least = least_minimum(t, theta1).pseudo_energy;
         EXPECT_LT(s.pseudo_energy, least * (1 + 1e-12)) << t << ' ' << theta1;
         EXPECT_GT(s.pseudo_energy, least * (1 - 2e-11)) << t << ' ' << theta1;
@@ -126,7 +128,7 @@ TEST(TabulatedEnds, AreTheFreeOnes) {
 
 TEST(TheTabulatedRuleOfThreePoints, GivesTheLeastTangent) {
     Random random(6);
-    for (int i = 0; i < 600; ++i) {
+    for (int i = 0; i < 300; ++i) {
         const ThreePoints three{random.within(-pi, pi), 1, std::exp(random.within(-3, 3))};
         for (const double p : {1.0, -1.0, 0.3}) {
             EXPECT_NEAR(tabulated_three_point_angle(three, p), three_point_angle(three, p).angle,
