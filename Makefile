@@ -10,7 +10,7 @@ compile = mkdir -p build && $(call configure,$(1)) && \
 	cmake --build build/$(1) -j $(JOBS) --target $(or $(2),all)
 run_tests = ctest --test-dir build/$(1) -j $(JOBS) --output-on-failure
 
-.PHONY: help build demo papers test asan tsan clang fuzz wasm clean
+.PHONY: help build demo tables papers test asan tsan clang fuzz wasm clean
 help: ## list these commands
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "make %-7s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
@@ -21,12 +21,20 @@ build: ## build the library and the command, build/release/bin/batten
 demo: build ## draw fair curves through real data, into build/demo
 	@tools/demo.sh
 
+tables: ## build the tables of the pseudo-spline again, and check them on a million pairs
+	@./setup.sh core
+	@$(call compile,release,batten_tables)
+	@build/release/tools/batten_tables src/make/pseudo/tables
+	@$(call compile,release,batten_check_tables)
+	@build/release/tools/batten_check_tables 1000000
+
 papers: ## make the papers' figures and tables again, into papers/
 	@./setup.sh core test
 	@$(call compile,release,papers)
 	@build/release/papers/papers_harada_nakamae papers/harada-nakamae
 	@build/release/papers/papers_inoue_shibata papers/inoue-shibata
 	@build/release/papers/papers_nakajima papers/nakajima
+	@build/release/papers/papers_inoue_shibata_tables
 
 test: ## run all tests
 	@./setup.sh core test

@@ -47,6 +47,7 @@
 #include "batten/make/motion.hpp"
 #include "batten/make/motion_law.hpp"
 #include "batten/make/pseudo_segment.hpp"
+#include "batten/make/pseudo_spline.hpp"
 #include "batten/make/sample.hpp"
 #include "batten/make/thin.hpp"
 

@@ -6,16 +6,22 @@
 
 #include "batten/base/text.hpp"
 #include "batten/make/pseudo_segment.hpp"
+#include "make/interpolate/pseudo_pass.hpp"
 #include "make/interpolate/space_pseudo.hpp"
 #include "make/pseudo/global/angles.hpp"
 #include "make/pseudo/local_angles.hpp"
+#include "make/pseudo/tables/segments.hpp"
 
 namespace batten::interpolation {
 namespace {
 
+pseudo::Source source_of(const InterpolateOptions& options) {
+    return options.exact ? pseudo::Source::minimiser : pseudo::Source::tables;
+}
+
 pseudo::AngleRules rules_of(const Outline& outline, const InterpolateOptions& options) {
     return {outline.closed, options.weight_exponent, options.tangent, outline.corners,
-            options.progress};
+            options.progress, source_of(options)};
 }
 
 /// The points at a scale where no square leaves the range of a double: angles stay the same bits.
@@ -45,10 +51,11 @@ PiecewiseCubic planar_curve(const Outline& outline, const std::vector<PseudoSegm
 }
 
 PiecewiseCubic space_curve(const Outline& outline, const InterpolateOptions& options) {
-    const Tangents tangents = space_tangents(outline, options.weight_exponent);
+    const SpaceRule rule{options.weight_exponent, source_of(options), options.progress};
+    const Tangents tangents = space_tangents(outline, rule);
     return hermite_curve(outline,
                          derivatives_of(outline, tangents,
-                                        space_magnitudes(outline, tangents, options.progress)));
+                                        space_magnitudes(outline, tangents, rule)));
 }
 
 }  // namespace
@@ -56,6 +63,11 @@ PiecewiseCubic space_curve(const Outline& outline, const InterpolateOptions& opt
 Built pseudo_spline(const Outline& outline, const InterpolateOptions& options) {
     if (outline.points.dim() == 3)
         return {space_curve(outline, options), Status::met, {}};
+    const bool is_plain = options.tangent.empty() && outline.corners.empty() && !options.exact;
+    if (is_plain && has_safe_chords(outline)) {
+        const PseudoSplineOptions plain{outline.closed, options.weight_exponent, options.progress};
+        return {pseudo_pass(outline, plain).curve, Status::met, {}};
+    }
     pseudo::AngleRules rules = rules_of(outline, options);
     rules.progress = options.progress.stage(0, 0.75);
     const Progress rest = options.progress.stage(0.75, 1);
@@ -63,7 +75,7 @@ Built pseudo_spline(const Outline& outline, const InterpolateOptions& options) {
         pseudo::local_angles(of_middling_size(outline), rules);
     std::vector<PseudoSegment> segments;
     for (const pseudo::SpanAngles& span : spans) {
-        segments.push_back(least_pseudo_segment(span.theta0, span.theta1));
+        segments.push_back(pseudo::least_segment(span.theta0, span.theta1, rules.source));
         rest.at(segments.size(), spans.size());
     }
     return {planar_curve(outline, segments), Status::met, {}};

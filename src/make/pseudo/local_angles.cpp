@@ -5,6 +5,7 @@
 
 #include "make/pseudo/free_end.hpp"
 #include "make/pseudo/segment/angles.hpp"
+#include "make/pseudo/tables/ends.hpp"
 #include "make/pseudo/three_point.hpp"
 
 namespace batten::pseudo {
@@ -59,6 +60,10 @@ private:
     }
     void put_rule(std::size_t i);
     void put_fixed(const FixedTangent& tangent);
+    double free_angle(double other) const {
+        return rules_.source == Source::tables ? tabulated_end(other).theta1
+                                               : free_end(other).segment.theta1;
+    }
 
     PointsView points_;
     const AngleRules& rules_;
@@ -73,7 +78,10 @@ void Joints::put_rule(std::size_t i) {
     const double turn =
         turn_between(chord_between(points_, before, i), chord_between(points_, i, after));
     const ThreePoints three{turn, span_before(i).length, spans_[i].length};
-    const double angle = three_point_angle(three, rules_.weight_exponent).angle;
+    const double angle =
+        rules_.source == Source::tables
+            ? tabulated_three_point_angle(three, rules_.weight_exponent)
+            : three_point_angle(three, rules_.weight_exponent).angle;
     joints_[i] = {angle, wrap(angle - turn)};
 }
 
@@ -102,8 +110,8 @@ std::vector<SpanAngles> Joints::solve() {
         const std::optional<double> start = joints_[i].after;
         const std::optional<double> end = joints_[(i + 1) % joints_.size()].before;
         if (start || end) {
-            spans_[i].theta0 = start ? *start : free_end(*end).segment.theta1;
-            spans_[i].theta1 = end ? *end : free_end(*start).segment.theta1;
+            spans_[i].theta0 = start ? *start : free_angle(*end);
+            spans_[i].theta1 = end ? *end : free_angle(*start);
         }
     }
     return spans_;
