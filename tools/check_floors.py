@@ -2,7 +2,7 @@
 
 The floors of docs/architecture.md, from the ground: a file includes its own floor and lower ones.
 Public headers include the standard library and batten only, so that whoever uses them needs
-nothing else. Files stay under 500 lines.
+nothing else. Files stay under 500 lines, but those that a program has made.
 """
 
 import pathlib
@@ -11,6 +11,7 @@ import sys
 
 FLOORS = ["base", "num", "shape", "measure", "make", "io", "api", "faces"]
 MOST_LINES = 500
+GENERATED = "// Made by "
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 SOURCES = (".hpp", ".cpp")
@@ -69,8 +70,9 @@ def breaches_of(path):
 
 def long_files():
     for path in [p for folder in ("include", "src", "faces", "tests") for p in files(folder)]:
-        lines = path.read_text(encoding="utf-8").count("\n")
-        if lines > MOST_LINES:
+        text = path.read_text(encoding="utf-8")
+        lines = text.count("\n")
+        if lines > MOST_LINES and not text.startswith(GENERATED):
             yield path, lines, f"longer than {MOST_LINES} lines"
 
 

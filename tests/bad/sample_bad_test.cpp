@@ -189,11 +189,11 @@ TEST(SampleRefuses, AProxyOfCurvatureOnAStraightLine) {
 }
 
 TEST(MotionLawRefuses, LawsThatDoNotStartAt0OrEndAt1) {
-    EXPECT_EQ(code_of([] { MotionLaw([](double tau) { return Progress{0.9 * tau, 0.9}; }); }),
+    EXPECT_EQ(code_of([] { MotionLaw([](double tau) { return MotionState{0.9 * tau, 0.9}; }); }),
               "motion.law-ends");
-    EXPECT_EQ(code_of([] { MotionLaw([](double tau) { return Progress{0.1 + 0.9 * tau, 0.9}; }); }),
+    EXPECT_EQ(code_of([] { MotionLaw([](double tau) { return MotionState{0.1 + 0.9 * tau, 0.9}; }); }),
               "motion.law-ends");
-    EXPECT_EQ(code_of([] { MotionLaw([](double) { return Progress{nan, 0}; }); }),
+    EXPECT_EQ(code_of([] { MotionLaw([](double) { return MotionState{nan, 0}; }); }),
               "motion.law-ends");
     EXPECT_EQ(code_of([] { Motion(plane, MotionLaw::constant(), 0); }), "option.range");
 }

@@ -116,7 +116,9 @@ void expect_time_optimal(const char* name, const MotionLimits& limits, double du
         const double time = share == 1 ? fastest.duration : lo * fastest.duration;
         EXPECT_NEAR(time, row["time"].get<double>(), 1e-8) << name << share;
         const double v = fastest.law.at(lo).speed * map.length() / fastest.duration;
-        if (share > 0 && share < 1) EXPECT_NEAR(v, row["v"].get<double>(), 5e-8) << name << share;
+        if (share > 0 && share < 1) {
+            EXPECT_NEAR(v, row["v"].get<double>(), 5e-8) << name << share;
+        }
     }
 }
 
@@ -130,7 +132,7 @@ TEST(TimeOptimal, OnACircleIsTheClosedForm) {
     const Curve circle = ellipse(25, 25);
     const TimedLaw fastest = time_optimal_law(circle, ArcLengthMap(circle), {60, 100, 80});
     EXPECT_NEAR(fastest.duration, 3.766592653589793, 1e-9);
-    const Progress middle = fastest.law.at(0.5);
+    const MotionState middle = fastest.law.at(0.5);
     EXPECT_NEAR(middle.share, 0.5, 1e-12);
     EXPECT_NEAR(middle.speed * 50 * std::numbers::pi / fastest.duration, 50, 1e-9);
 }

@@ -19,6 +19,7 @@ std::vector<double> shares_of(Method method) {
     std::vector<double> shares;
     InterpolateOptions options;
     options.method = method;
+    options.exact = true;
     options.progress = Progress([&](double share) {
         shares.push_back(share);
         return true;

@@ -182,7 +182,7 @@ TEST(TimeOptimalLaw, KeepsItsLimitsOnAFineGridAndAlwaysTouchesOne) {
         int between = 0;  // steps over a change of phase, which touch none
         double before_q = 0, before_s = 0;
         for (int i = 1; i < steps; ++i) {
-            const Progress now = fastest.law.at(static_cast<double>(i) / steps);
+            const MotionState now = fastest.law.at(static_cast<double>(i) / steps);
             const double v = now.speed * map.length() / fastest.duration;
             const double s = now.share * map.length(), q = v * v;
             const double kappa = std::fabs(curvature(curve.jet(map.t_of(s), 2)).value_or(0));
@@ -254,7 +254,7 @@ TEST(SampleLaw, SpacingIsNeverMoreThanAskedForAndTimesAreFrames) {
     film.fps = 25;
     const Sampling frames = sample(circle, film);
     ASSERT_EQ(frames.rows.size(), 51U);
-    for (std::size_t i = 0; i <= 50; ++i) EXPECT_NEAR(frames.rows(i, 1), i / 25.0, 1e-15);
+    for (std::size_t i = 0; i <= 50; ++i) EXPECT_NEAR(frames.rows(i, 1), static_cast<double>(i) / 25, 1e-15);
 }
 
 }  // namespace

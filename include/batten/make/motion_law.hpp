@@ -9,7 +9,7 @@
 namespace batten {
 
 /// Where a motion is and how fast: the share of the way, and its derivative by tau.
-struct Progress {
+struct MotionState {
     double share = 0;
     double speed = 0;
 };
@@ -20,7 +20,7 @@ struct Progress {
 /// Laws never walk back. Accuracy of `at`: a few ulps, but where something else is said.
 class MotionLaw {
 public:
-    using Function = std::function<Progress(double tau)>;
+    using Function = std::function<MotionState(double tau)>;
 
     /// A law from the user's own function; it must be finite and not fall over [0, 1]. Throws
     /// `motion.law-ends` unless the share is 0 at tau = 0 and 1 at tau = 1, both within 1e-9.
@@ -65,7 +65,7 @@ public:
     MotionLaw after(const MotionLaw& timing) const;
 
     /// tau outside [0, 1] is taken to be 0 or 1.
-    Progress at(double tau) const;
+    MotionState at(double tau) const;
 
 private:
     struct Trusted {};

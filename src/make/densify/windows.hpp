@@ -12,8 +12,6 @@
 namespace batten::lagrange {
 
 constexpr int highest_degree = 15;
-/// Room for the coefficients of a cell, and one more.
-constexpr std::size_t most_coefficients = highest_degree + 2;
 
 /// `degree` + 1 points from `first` on; on a ring `first` may be negative, and the last beyond it.
 struct Window {

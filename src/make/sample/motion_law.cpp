@@ -20,9 +20,9 @@ void require_share(const char* name, double x, double most) {
 /// The second half of a motion that slows down as it has sped up.
 template <class FirstHalf>
 MotionLaw::Function mirrored(FirstHalf first) {
-    return [first](double tau) -> Progress {
+    return [first](double tau) -> MotionState {
         if (tau <= 0.5) return first(tau);
-        const Progress back = first(1 - tau);
+        const MotionState back = first(1 - tau);
         return {1 - back.share, back.speed};
     };
 }
@@ -40,23 +40,23 @@ MotionLaw::MotionLaw(Function function) : function_(std::move(function)) {
     }
 }
 
-Progress MotionLaw::at(double tau) const {
-    Progress result = function_(std::clamp(tau, 0.0, 1.0));
+MotionState MotionLaw::at(double tau) const {
+    MotionState result = function_(std::clamp(tau, 0.0, 1.0));
     result.share = std::clamp(result.share, 0.0, 1.0);
     return result;
 }
 
 MotionLaw MotionLaw::after(const MotionLaw& timing) const {
-    return {[inner = timing, outer = *this](double tau) -> Progress {
-                const Progress time = inner.at(tau);
-                const Progress place = outer.at(time.share);
+    return {[inner = timing, outer = *this](double tau) -> MotionState {
+                const MotionState time = inner.at(tau);
+                const MotionState place = outer.at(time.share);
                 return {place.share, time.speed == 0 ? 0 : place.speed * time.speed};
             },
             Trusted{}};
 }
 
 MotionLaw MotionLaw::constant() {
-    return {[](double tau) -> Progress { return {tau, 1}; }, Trusted{}};
+    return {[](double tau) -> MotionState { return {tau, 1}; }, Trusted{}};
 }
 
 MotionLaw MotionLaw::accelerate(double start, double end) {
@@ -66,7 +66,7 @@ MotionLaw MotionLaw::accelerate(double start, double end) {
                     "speeds must not be negative, nor both 0");
     }
     const double first = start / (start + end), last = end / (start + end);
-    return {[first, last](double tau) -> Progress {
+    return {[first, last](double tau) -> MotionState {
                 return {tau * (2 * first + (last - first) * tau),
                         2 * (first + (last - first) * tau)};
             },
@@ -74,14 +74,14 @@ MotionLaw MotionLaw::accelerate(double start, double end) {
 }
 
 MotionLaw MotionLaw::smoothstep() {
-    return {[](double tau) -> Progress {
+    return {[](double tau) -> MotionState {
                 return {tau * tau * (3 - 2 * tau), 6 * tau * (1 - tau)};
             },
             Trusted{}};
 }
 
 MotionLaw MotionLaw::minimum_jerk() {
-    return {[](double tau) -> Progress {
+    return {[](double tau) -> MotionState {
                 const double rest = tau * (1 - tau);
                 return {tau * tau * tau * (10 + tau * (6 * tau - 15)), 30 * rest * rest};
             },
@@ -89,7 +89,7 @@ MotionLaw MotionLaw::minimum_jerk() {
 }
 
 MotionLaw MotionLaw::cosine() {
-    return {[](double tau) -> Progress {
+    return {[](double tau) -> MotionState {
                 const double sine = std::sin(0.5 * std::numbers::pi * tau);
                 return {sine * sine, 0.5 * std::numbers::pi * std::sin(std::numbers::pi * tau)};
             },
@@ -99,7 +99,7 @@ MotionLaw MotionLaw::cosine() {
 MotionLaw MotionLaw::trapezoid(double ramp) {
     require_share("ramp", ramp, 0.5);
     const double speed = 1 / (1 - ramp);
-    return {mirrored([ramp, speed](double tau) -> Progress {
+    return {mirrored([ramp, speed](double tau) -> MotionState {
                 if (tau >= ramp) return {speed * (tau - 0.5 * ramp), speed};
                 return {speed * tau * tau / (2 * ramp), speed * tau / ramp};
             }),
@@ -112,7 +112,7 @@ MotionLaw MotionLaw::s_curve(double accel_time, double jerk_time) {
     const double speed = 1 / (1 - accel_time);
     const double acceleration = speed / (accel_time - jerk_time);
     const double jerk = acceleration / jerk_time;
-    return {mirrored([=](double tau) -> Progress {
+    return {mirrored([=](double tau) -> MotionState {
                 if (tau >= accel_time) return {speed * (tau - 0.5 * accel_time), speed};
                 if (tau <= jerk_time) return {jerk * tau * tau * tau / 6, 0.5 * jerk * tau * tau};
                 const double left = accel_time - tau, beyond = tau - jerk_time;

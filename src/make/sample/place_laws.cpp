@@ -121,7 +121,7 @@ MotionLaw law_of(std::shared_ptr<const arc::Cells> cells, const Curve& curve,
         return map.s_of(cells->t_in(cells->cell_at_s(sum), sum)) / map.length();
     };
     const double even = total / curve.domain().length();
-    return MotionLaw([=](double tau) -> Progress {
+    return MotionLaw([=](double tau) -> MotionState {
         // Where no time is spent the speed is infinite: there, the mean over a short time.
         constexpr double least = 0x1p-20, step = 0x1p-10;
         const double sum = tau * total, share = tau >= 1 ? 1 : share_at(sum);
@@ -154,7 +154,7 @@ MotionLaw weighted_law(const Curve& curve, const ArcLengthMap& map, const PlaceW
 }
 
 MotionLaw parameter_law(const Curve& curve, const ArcLengthMap& map) {
-    return MotionLaw([curve, map](double tau) -> Progress {
+    return MotionLaw([curve, map](double tau) -> MotionState {
         const Interval domain = curve.domain();
         const double t = tau >= 1 ? domain.hi : domain.lo + tau * domain.length();
         return {map.s_of(t) / map.length(),

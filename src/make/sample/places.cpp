@@ -10,7 +10,7 @@ namespace batten::sampling {
 Places places_of(const ArcLengthMap& map, const MotionLaw& law, const Timing& timing) {
     Places places;
     for (std::size_t i = 0; i < timing.tau.size(); ++i) {
-        const Progress now = law.at(timing.tau[i]);
+        const MotionState now = law.at(timing.tau[i]);
         places.time.push_back(timing.time(i));
         places.s.push_back(now.share >= 1 ? map.length() : map.length() * now.share);
         places.speed.push_back(map.length() * now.speed / timing.duration);

@@ -89,24 +89,24 @@ Sampling table_of(const Curve& curve, const Places& places, const SampleOptions&
 
 namespace {
 
-double dot(std::span<const double> a, std::span<const double> b) {
+double dot_in_space(std::span<const double> a, std::span<const double> b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /// v less its part along a, and of length 1.
 std::vector<double> upright(std::vector<double> v, std::span<const double> a) {
-    const double along = dot(v, a);
+    const double along = dot_in_space(v, a);
     for (std::size_t k = 0; k < 3; ++k) v[k] -= along * a[k];
-    const double length = std::sqrt(dot(v, v));
+    const double length = std::sqrt(dot_in_space(v, v));
     for (double& x : v) x /= length;
     return v;
 }
 
 /// v mirrored at the plane across `axis`.
 void reflect(std::vector<double>& v, std::span<const double> axis) {
-    const double size = dot(axis, axis);
+    const double size = dot_in_space(axis, axis);
     if (size == 0) return;
-    const double share = 2 * dot(v, axis) / size;
+    const double share = 2 * dot_in_space(v, axis) / size;
     for (std::size_t k = 0; k < 3; ++k) v[k] -= share * axis[k];
 }
 
@@ -144,7 +144,7 @@ Points rotation_minimising_normals(const Curve& curve, std::span<const double> t
         for (int k = 1; k <= looks; ++k) {
             const std::vector<double> next =
                 unit_tangent(curve, t[i - 1] + (t[i] - t[i - 1]) * k / looks);
-            turned += std::sqrt(std::fmax(2 - 2 * dot(before, next), 0));
+            turned += std::sqrt(std::fmax(2 - 2 * dot_in_space(before, next), 0));
             before = next;
         }
         const int steps = static_cast<int>(

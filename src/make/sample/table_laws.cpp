@@ -25,7 +25,7 @@ std::size_t interval_of(std::span<const double> rising, double x) {
 
 /// Even speed between shares at evenly spaced times.
 MotionLaw::Function even_steps(std::vector<double> shares) {
-    return [shares = std::move(shares)](double tau) -> Progress {
+    return [shares = std::move(shares)](double tau) -> MotionState {
         const double steps = static_cast<double>(shares.size() - 1);
         const double place = tau * steps, nearest = std::round(place);
         // k / steps x steps may miss k by an ulp; the times of samples are such numbers.
@@ -103,7 +103,7 @@ MotionLaw MotionLaw::keyframes(PointsView rows) {
     const double start = rows(0, 0), duration = rows(rows.size() - 1, 0) - start;
     Points shares(rows);
     for (std::size_t i = 0; i < rows.size(); ++i) shares(i, 0) = (rows(i, 0) - start) / duration;
-    return {[curve = interpolation::pchip_curve(shares)](double tau) -> Progress {
+    return {[curve = interpolation::pchip_curve(shares)](double tau) -> MotionState {
                 double jet[4];
                 curve.jets_on(interval_of(curve.breaks(), tau), {&tau, 1}, 1, jet);
                 return {jet[1], std::fmax(jet[3], 0)};
@@ -133,7 +133,7 @@ MotionLaw MotionLaw::weighted(PointsView rows) {
         const double mean = 0.5 * (weights[i] + weights[i + 1]);
         times.push_back(times[i] + mean * (places[i + 1] - places[i]));
     }
-    return {[places, weights, times](double tau) -> Progress {
+    return {[places, weights, times](double tau) -> MotionState {
                 const double time = tau * times.back();
                 const std::size_t i = interval_of(times, time);
                 const double step = places[i + 1] - places[i];

@@ -141,7 +141,7 @@ TimedLaw time_optimal_law(const Curve& curve, const ArcLengthMap& map,
         time.add(leg.time);
     }
     const double duration = time.value(), length = map.length();
-    return {MotionLaw([limit, legs, duration, length](double tau) -> Progress {
+    return {MotionLaw([limit, legs, duration, length](double tau) -> MotionState {
                 const double now = tau * duration;
                 const auto next = std::upper_bound(
                     legs->begin() + 1, legs->end(), now,

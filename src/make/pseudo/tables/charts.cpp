@@ -6,7 +6,7 @@
 namespace batten::pseudo {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Where the Hessian of J along the least minima is smallest, against theta0: a polynomial through
 /// 44 places found so, good to 4e-5 (1e-3 above theta0 = 1.95).

@@ -13,7 +13,7 @@
 namespace batten::pseudo {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The piece an angle lies in, by equal cells.
 class EndIndex {
