@@ -20,6 +20,7 @@ InterpolateReport by(Method method, const nlohmann::json& set) {
     InterpolateOptions options;
     options.method = method;
     options.closed = set["closed"];
+    options.exact = true;
     return interpolate(points, options).report;
 }
 
