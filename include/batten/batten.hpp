@@ -17,6 +17,7 @@
 #include "batten/shape/arc_chain.hpp"
 #include "batten/shape/basis.hpp"
 #include "batten/shape/bspline.hpp"
+#include "batten/shape/cubic_evaluator.hpp"
 #include "batten/shape/curve.hpp"
 #include "batten/shape/jet.hpp"
 #include "batten/shape/piecewise_cubic.hpp"

@@ -35,6 +35,10 @@ struct Errors {
         above_energy += e > 1e-12;
         above_magnitude += r > 1e-8;
         above_length += l > 1e-9;
+        if (e > 1e-12) {
+            std::printf("J %.1e at %.17g %.17g\n", s.pseudo_energy / m.pseudo_energy - 1,
+                        m.segment.theta0, m.segment.theta1);
+        }
     }
     void print(const char* name) const {
         std::printf("%-16s %8ld pairs: J %.1e, r %.1e, L %.1e; above 1e-12, 1e-8, 1e-9: %ld %ld %ld\n",

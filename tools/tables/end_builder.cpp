@@ -168,7 +168,7 @@ std::string end_tables() {
     text += "}};\n\nconst std::array<Share, smooth_parts * weight_parts + rough_parts> shares{{\n";
     for (const Share& share : shares(kinks.front())) {
         text += "{{";
-        for (const auto& row : share) text += "{" + listed(row) + "},\n";
+        for (const auto& row : share) text += "{" + listed(row) + "}, ";
         text += "}},\n";
     }
     return text + "}};\n";

@@ -129,7 +129,7 @@ void Builder<Problem>::build(const Rectangle& r) {
     build(upper);
 }
 
-/// Looks at 33 points for a least minimum that the functions so far do not have, or do not have
+/// Looks at 97 points for a least minimum that the functions so far do not have, or do not have
 /// well enough.
 template <class Problem>
 auto Builder<Problem>::attempt(const Rectangle& r) -> Attempt {
@@ -141,7 +141,7 @@ auto Builder<Problem>::attempt(const Rectangle& r) -> Attempt {
             if (!settle(r, u, v, a)) return a;
         }
     }
-    for (int i = 0; i < 8; ++i) {
+    for (int i = 0; i < 72; ++i) {
         const double u = anywhere(random_), v = anywhere(random_);
         if (!settle(r, u, v, a)) return a;
     }

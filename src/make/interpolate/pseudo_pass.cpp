@@ -99,10 +99,11 @@ void Pass::put(std::size_t i, double theta0, double theta1) {
 }
 
 PseudoSplineMeasures Pass::run(const Progress& progress) {
-    constexpr std::size_t stride = 1024;
     const std::size_t spans = lengths_.size();
+    const std::size_t stride = 1 + spans / 256;  // between two reports of progress
     const Joint first = closed_ ? joint(spans - 1, 0) : Joint{0, 0};
     Joint last = first;
+    std::size_t since_report = 0;
     for (std::size_t i = 0; i < spans; ++i) {
         const bool is_first = i == 0 && !closed_, is_last = i + 1 == spans;
         Joint next = first;
@@ -112,7 +113,10 @@ PseudoSplineMeasures Pass::run(const Progress& progress) {
         if (is_last && !closed_ && !is_first) theta1 = pseudo::tabulated_end(theta0).theta1;
         put(i, theta0, theta1);
         last = next;
-        if (i % stride == stride - 1) progress.at(i + 1, spans);
+        if (++since_report == stride) {
+            progress.at(i + 1, spans);
+            since_report = 0;
+        }
     }
     const Plain final = point(closed_ ? 0 : count_ - 1);
     column(0, 0)[spans] = final.x;

@@ -10,9 +10,8 @@
 /// The quarter domain 0 <= theta0 <= pi, |theta1| <= theta0 is seen in seven charts. With
 /// rise = 1 + theta1 / theta0 and bend = rise / theta0:
 ///
-/// * near, far: the origin blown up twice, for r0, r1 have a pole along theta0 + theta1 = 0
-///   [spec of the series: r - 1 = O(theta0^3 / (theta0 + theta1))]. `near` has theta0 and bend,
-///   `far` 1 / bend and rise.
+/// * near, far: the origin blown up twice, for r0, r1 have a pole along theta0 + theta1 = 0: there
+///   r - 1 goes as theta0^3 / (theta0 + theta1). `near` has theta0 and bend, `far` 1 / bend and rise.
 /// * wide: theta0 and rise, for theta0 above 1.
 /// * strip: around the line bend = crease(theta0), on which two minima of J and the saddle between
 ///   them all but meet: r turns there within 0.004 theta0 of bend. The coordinate across is

@@ -1,0 +1,117 @@
+#include "batten/shape/cubic_evaluator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <new>
+#include <thread>
+#include <vector>
+
+#include "batten/make/interpolate.hpp"
+#include "batten/make/pseudo_spline.hpp"
+#include "batten/shape/curve.hpp"
+#include "random.hpp"
+
+namespace {
+
+thread_local long allocations = 0;
+
+}  // namespace
+
+// Counts the allocations of this program's threads.
+void* operator new(std::size_t size) {
+    ++allocations;
+    if (void* memory = std::malloc(size)) return memory;
+    throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace batten {
+namespace {
+
+/// Pieces of very different lengths.
+PiecewiseCubic uneven(int dim, int pieces, unsigned seed) {
+    testing::Random random(seed);
+    std::vector<double> breaks{-3};
+    for (int i = 0; i < pieces; ++i) {
+        breaks.push_back(breaks.back() + std::pow(10.0, random.within(-4, 1)));
+    }
+    const std::size_t n = static_cast<std::size_t>(pieces);
+    return PiecewiseCubic::hermite(random.points(n + 1, dim), random.points(n, dim),
+                                   random.points(n, dim), breaks, false);
+}
+
+std::vector<double> parameters(const PiecewiseCubic& curve, unsigned seed) {
+    testing::Random random(seed);
+    std::vector<double> t(curve.breaks().begin(), curve.breaks().end());
+    for (int i = 0; i < 3000; ++i) {
+        t.push_back(random.within(curve.breaks().front(), curve.breaks().back()));
+        t.push_back(curve.breaks()[static_cast<std::size_t>(
+                        random.whole(0, static_cast<int>(curve.pieces()) - 1))] + 1e-6);
+    }
+    return t;
+}
+
+TEST(CubicEvaluator, GivesTheBitsOfTheCurve) {
+    for (const int dim : {1, 2, 3}) {
+        for (const int pieces : {1, 2, 300}) {
+            const PiecewiseCubic cubics = uneven(dim, pieces, 1);
+            const CubicEvaluator evaluator(cubics);
+            const Curve curve(cubics);
+            std::vector<double> t = parameters(cubics, 2);
+            for (const bool is_sorted : {false, true}) {
+                if (is_sorted) std::sort(t.begin(), t.end());
+                for (const int order : {0, 1, 2}) {
+                    const std::size_t size = t.size() * static_cast<std::size_t>((order + 1) * dim);
+                    std::vector<double> expected(size), out(size);
+                    curve.jets(t, order, expected);
+                    evaluator.evaluate(t, order, out);
+                    EXPECT_EQ(out, expected) << dim << ' ' << pieces << ' ' << order;
+                }
+            }
+        }
+    }
+}
+
+TEST(CubicEvaluator, AllocatesNothing) {
+    const PiecewiseCubic cubics = uneven(2, 300, 3);
+    const CubicEvaluator evaluator(cubics);
+    const std::vector<double> t = parameters(cubics, 4);
+    std::vector<double> out(t.size() * 6);
+    const long before = allocations;
+    evaluator.evaluate(t, 2, out);
+    EXPECT_EQ(allocations, before);
+}
+
+TEST(PseudoSpline, IntoTheCallersMemoryAllocatesTheSameForAnyNumberOfPoints) {
+    std::vector<long> counts;
+    for (const std::size_t n : {100u, 10000u}) {
+        testing::Random random(5);
+        const Points points = random.points(n, 2);
+        std::vector<double> block(8 * n);
+        pseudo_spline(points, {}, block);  // unpacks the tables
+        const long before = allocations;
+        pseudo_spline(points, {}, block);
+        counts.push_back(allocations - before);
+    }
+    EXPECT_LE(counts[0], 4);
+}
+
+TEST(PseudoSpline, GivesTheSameBitsFromManyThreads) {
+    testing::Random random(6);
+    const Points points = random.points(300, 2);
+    const double alone = pseudo_spline(points).length;
+    std::vector<double> lengths(8);
+    std::vector<std::thread> threads;
+    for (double& length : lengths) {
+        threads.emplace_back([&length, &points] { length = pseudo_spline(points).length; });
+    }
+    for (std::thread& thread : threads) thread.join();
+    for (const double length : lengths) EXPECT_EQ(length, alone);
+}
+
+}  // namespace
+}  // namespace batten
