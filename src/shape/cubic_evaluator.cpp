@@ -23,6 +23,15 @@ void run_on(const double* c, double origin, std::span<const double> t, std::size
     }
 }
 
+/// The same for values alone that lie side by side, which the compiler works on in vectors.
+void run_of_values(const double* c, double origin, std::span<const double> t, double* out) {
+    const double c0 = c[0], c1 = c[1], c2 = c[2], c3 = c[3];
+    for (std::size_t i = 0; i < t.size(); ++i) {
+        const double u = t[i] - origin;
+        out[i] = c0 + u * (c1 + u * (c2 + u * c3));
+    }
+}
+
 }  // namespace
 
 CubicEvaluator::CubicEvaluator(const PiecewiseCubic& curve)
@@ -45,27 +54,29 @@ CubicEvaluator::CubicEvaluator(const PiecewiseCubic& curve)
     first_.resize(cells + 1);
     std::size_t piece = 0;
     for (std::size_t cell = 0; cell <= cells; ++cell) {
-        // Half a cell of room for the rounding of piece_of.
-        const double start = breaks_[0] + (static_cast<double>(cell) - 0.5) / cells_;
-        while (piece + 1 < pieces && breaks_[piece + 1] <= start) ++piece;
+        while (piece + 1 < pieces && cell_of(breaks_[piece + 1]) < cell) ++piece;
         first_[cell] = static_cast<std::uint32_t>(piece);
     }
 }
 
-std::size_t CubicEvaluator::piece_of(double t) const {
-    const std::size_t last_cell = first_.size() - 1;
+/// Grows with t, roundings included: so a parameter's piece begins in its cell or is the one that
+/// the cell begins in.
+std::size_t CubicEvaluator::cell_of(double t) const {
+    const double last = static_cast<double>(cells_a_piece * (breaks_.size() - 1) - 1);
     const double place = (t - breaks_[0]) * cells_;
-    if (!(place > 0)) return 0;
-    const std::size_t cell =
-        place < static_cast<double>(last_cell) ? static_cast<std::size_t>(place) : last_cell;
+    return static_cast<std::size_t>(place > 0 ? (place < last ? place : last) : 0);
+}
+
+std::size_t CubicEvaluator::piece_of(double t) const {
+    const std::size_t cell = cell_of(t);
     std::size_t lo = first_[cell];
-    std::size_t hi = cell + 2 < first_.size() ? first_[cell + 2] : breaks_.size() - 2;
-    while (hi - lo > 4) {
+    std::size_t hi = cell + 1 < first_.size() - 1 ? first_[cell + 1] : breaks_.size() - 2;
+    while (hi > lo + 1) {
         const std::size_t middle = lo + (hi - lo) / 2;
         (breaks_[middle] <= t ? lo : hi) = middle;
     }
-    while (lo < hi && breaks_[lo + 1] <= t) ++lo;
-    return lo;
+    // Without a branch: half of the random parameters go either way.
+    return lo + static_cast<std::size_t>(breaks_[lo + 1] <= t && lo < hi);
 }
 
 void CubicEvaluator::evaluate(std::span<const double> t, int order, std::span<double> out) const {
@@ -77,12 +88,16 @@ void CubicEvaluator::evaluate(std::span<const double> t, int order, std::span<do
         const std::size_t piece = piece_of(t[first]);
         const double lo = breaks_[piece], hi = breaks_[piece + 1];
         std::size_t last = first + 1;
-        while (last < t.size() && lo <= t[last] && t[last] < hi) ++last;
+        // Where neighbours lie far apart, a loop that ends after one step is a branch mispredicted.
+        const auto is_here = [&](std::size_t i) { return lo <= t[i] && t[i] < hi; };
+        const bool is_run = first + 8 <= t.size() && is_here(first + 3) && is_here(first + 7);
+        while (is_run && last < t.size() && is_here(last)) ++last;
         const std::span<const double> run = t.subspan(first, last - first);
         for (std::size_t k = 0; k < dim_; ++k) {
             const double* const c = coefficients_.data() + 4 * (piece * dim_ + k);
             double* const to = out.data() + first * stride + k;
-            if (order == 0) run_on<0>(c, lo, run, stride, dim_, to);
+            if (stride == 1) run_of_values(c, lo, run, to);
+            if (order == 0 && stride > 1) run_on<0>(c, lo, run, stride, dim_, to);
             if (order == 1) run_on<1>(c, lo, run, stride, dim_, to);
             if (order == 2) run_on<2>(c, lo, run, stride, dim_, to);
             if (t[first] == end) *to = last_point_[k];

@@ -25,10 +25,11 @@ public:
     /// bits of `Curve::jets`. A parameter outside the domain continues the first or last piece.
     ///
     /// Requires: out.size() == t.size() * (order + 1) * dim. Allocates nothing.
-    /// Cost: sorted parameters 2 ns a number, random ones some 10 ns each with 10^4 pieces.
+    /// Cost: sorted parameters about 1 ns a number, random ones 18 ns each with 10^4 pieces.
     void evaluate(std::span<const double> t, int order, std::span<double> out) const;
 
 private:
+    std::size_t cell_of(double t) const;
     std::size_t piece_of(double t) const;
 
     std::size_t dim_;
