@@ -18,6 +18,7 @@
 #include "batten/shape/curve.hpp"
 #include "batten/shape/jet.hpp"
 #include "batten/shape/piecewise_cubic.hpp"
+#include "batten/shape/spline_function.hpp"
 #include "batten/shape/transform.hpp"
 
 // What a curve measures, and how far it is from something.
@@ -37,6 +38,9 @@
 
 // Curves from points, and from other curves.
 #include "batten/make/convert.hpp"
+#include "batten/make/fit.hpp"
+#include "batten/make/fit_chunks.hpp"
+#include "batten/make/fit_curve.hpp"
 #include "batten/make/interpolate.hpp"
 #include "batten/make/pseudo_segment.hpp"
 
