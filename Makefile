@@ -24,6 +24,7 @@ demo: build ## draw fair curves through real data, into build/demo
 papers: ## make the papers' figures and tables again, into papers/
 	@./setup.sh core test
 	@$(call compile,release,papers)
+	@build/release/papers/papers_hatano_curves cases papers/hatano
 	@build/release/papers/papers_inoue_shibata papers/inoue-shibata
 
 test: ## run all tests
