@@ -8,7 +8,7 @@ declare -A packages=(
     [test]="libgtest-dev librapidcheck-dev python3 python3-ezdxf pkg-config"
     [clang]="clang libclang-rt-dev"
     [wasm]="emscripten"
-    [draw]="librsvg2-bin"
+    [draw]="gnuplot-nox librsvg2-bin"
     [reference]="python3-numpy python3-scipy"
     [develop]="ccache clang-format"
 )
@@ -17,7 +17,7 @@ declare -A purposes=(
     [test]="the tests (make test, make asan, make tsan)"
     [clang]="the clang build and the fuzzers (make clang, make fuzz)"
     [wasm]="the core in WebAssembly (make wasm)"
-    [draw]="PNG copies of pictures"
+    [draw]="charts as PNG and PDF, PNG copies of pictures"
     [reference]="the programs in tools/ that remake reference data"
     [develop]="faster rebuilds, one layout of the sources"
 )

@@ -25,6 +25,7 @@ struct Typed {
 
 std::string description(const Field& field) {
     std::string text = field.help;
+    if (!field.bare.empty()) text += " (alone: " + field.bare + ")";
     if (!field.default_text.empty()) text += " [" + field.default_text + "]";
     return text;
 }
@@ -39,7 +40,8 @@ void add_field(Typed& typed, std::size_t index) {
     } else {
         option = typed.verb->add_option(flag, typed.values[index], description(field));
         // One word at a time; lists may be given piece by piece, of others the last one counts.
-        option->type_name(field.takes)->expected(1)->multi_option_policy(
+        option->type_name(field.takes)->expected(1)->allow_extra_args(false);
+        option->multi_option_policy(
             field.kind == FieldKind::list ? CLI::MultiOptionPolicy::TakeAll
                                           : CLI::MultiOptionPolicy::TakeLast);
     }
@@ -48,6 +50,7 @@ void add_field(Typed& typed, std::size_t index) {
 
 void add_common(CLI::App& verb, const Operation& operation, Command& command) {
     const char* const what = operation.input == InputKind::points ? "POINTS"
+                             : operation.input == InputKind::table ? "TABLE"
                              : operation.input == InputKind::curve ? "CURVE"
                                                                    : "POINTS|CURVE";
     CLI::Option* input = verb.add_option("input", command.inputs, "the file to read, - for standard input");
@@ -60,13 +63,33 @@ void add_common(CLI::App& verb, const Operation& operation, Command& command) {
         ->type_name("NAME")->group(group);
     verb.add_option("--report", command.report, "write the report as JSON, - for standard output")
         ->type_name("FILE")->group(group);
-    verb.add_option("--draw", command.drawing, "draw what was done")
-        ->type_name("FILE.svg")->group(group);
+    verb.add_option("--draw", command.drawing, "draw what was done; png and pdf by gnuplot")
+        ->type_name("FILE.svg|png|pdf")->group(group);
     verb.add_option("--columns", command.columns, "columns that hold the coordinates: names or #k, k from 1")
         ->type_name("X,Y[,Z]")->group(group);
     verb.add_option("--progress", command.progress, "progress of long work on standard error [auto]")
         ->type_name("WHEN")->check(CLI::IsMember({"auto", "always", "never"}))->group(group);
     verb.add_flag("--quiet", command.quiet, "no summary on standard error")->group(group);
+}
+
+/// The words typed, with a bare option's meaning written out: `--robust` is `--robust reject`
+/// unless one of its words follows.
+std::vector<std::string> written_out(int argc, const char* const* argv) {
+    std::vector<std::string> words(argv + 1, argv + argc);
+    const Operation* operation = words.empty() ? nullptr : find_operation(words.front());
+    if (!operation) return words;
+    for (const Field& field : operation->fields) {
+        if (field.bare.empty()) continue;
+        const std::string flag = "--" + flag_name(field.name);
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            if (words[i] != flag) continue;
+            const bool has_word =
+                i + 1 < words.size() && std::find(field.choices.begin(), field.choices.end(),
+                                                  words[i + 1]) != field.choices.end();
+            if (!has_word) words.insert(words.begin() + static_cast<std::ptrdiff_t>(i) + 1, field.bare);
+        }
+    }
+    return words;
 }
 
 std::string joined(const std::vector<std::string>& parts) {
@@ -102,7 +125,9 @@ Parsed parse(int argc, const char* const* argv) {
         for (std::size_t k = 0; k < operation.fields.size(); ++k) add_field(verbs[i], k);
     }
     try {
-        app.parse(argc, argv);
+        std::vector<std::string> words = written_out(argc, argv);
+        std::reverse(words.begin(), words.end());  // as CLI11 takes them
+        app.parse(words);
     } catch (const CLI::ParseError& stop) {
         if (stop.get_exit_code() == 0) {
             parsed.exit_status = app.exit(stop);

@@ -1,6 +1,7 @@
 #include "inputs.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 
 #include "batten/base/error.hpp"
@@ -16,7 +17,8 @@ Input read_input(const std::string& path, const Command& command) {
     const Source source = read_source(path);
     const InputKind kind = command.operation->input;
     const bool is_curve = holds_curve(source);
-    if (kind == InputKind::points && is_curve) {
+    const bool takes_rows = kind == InputKind::points || kind == InputKind::table;
+    if (takes_rows && is_curve) {
         throw Error("input.kind", source.name, "a curve",
                     std::string(command.operation->name) + " takes points");
     }
@@ -29,6 +31,9 @@ Input read_input(const std::string& path, const Command& command) {
     }
     if (is_curve) return {source.name, parse_curve(source)};
     const Table table = parse_table(source);
+    if (kind == InputKind::table && command.columns.empty()) {
+        return {source.name, PointsInput{table, {}}};
+    }
     return {source.name, PointsInput{table, coordinate_columns(table, command.columns)}};
 }
 
@@ -80,6 +85,17 @@ bool takes_column(const Operation& operation, const Field& field) {
     });
 }
 
+std::vector<double> numbers_in(const std::string& list) {
+    std::vector<double> numbers;
+    std::size_t start = 0;
+    while (start <= list.size()) {
+        const std::size_t end = std::min(list.find(',', start), list.size());
+        numbers.push_back(*parse_number(std::string_view(list).substr(start, end - start)));
+        start = end + 1;
+    }
+    return numbers;
+}
+
 Argument read_shape(const std::string& path) {
     const Source source = read_source(path);
     if (holds_curve(source)) return parse_curve(source);
@@ -105,6 +121,8 @@ Argument argument_of(const Command& command, const Field& field, const std::stri
             return text;
         case FieldKind::choice:
             if (!is_choice(field, text) && takes_column(*command.operation, field)) {
+                if (is_list(text)) return numbers_in(text);
+                if (std::filesystem::is_regular_file(text)) return read_numbers(text);
                 if (const auto* points = std::get_if<PointsInput>(&inputs.front().content)) {
                     return column_values(points->table, column_index(points->table, text));
                 }

@@ -11,6 +11,7 @@
 #include "batten/io/json.hpp"
 #include "batten/io/svg_path.hpp"
 #include "batten/io/write_points.hpp"
+#include "charts.hpp"
 
 namespace batten::cli {
 namespace {
@@ -58,8 +59,8 @@ std::string text_of(const Rows& rows, const std::string& format) {
 }
 
 std::string text_of(const Drawing& drawing, const std::string& format) {
-    if (format == "svg") return svg(drawing);
-    refuse_format(format, "svg");
+    if (format == "svg" || format == "png" || format == "pdf") return picture(drawing, format);
+    refuse_format(format, "svg, png, pdf");
 }
 
 std::string report_text(const Command& command, const Outcome& outcome) {
@@ -71,6 +72,8 @@ std::string output_text(const Command& command, const Outcome& outcome,
     for (const OutputForm& form : outcome.forms) {
         if (form.name == format) return form.text();
     }
+    const bool wants_rows = format == "csv" || format == "npy";
+    if (wants_rows && outcome.rows) return text_of(outcome.rows(), format);
     if (const Curve* curve = std::get_if<Curve>(&outcome.output)) {
         return text_of(*curve, format, outcome);
     }
@@ -112,10 +115,7 @@ std::vector<Written> render(const Command& command, const Outcome& outcome) {
                        output_text(command, outcome, format)});
     }
     if (!command.drawing.empty()) {
-        if (suffix_of(command.drawing) != "svg") {
-            refuse_format(suffix_of(command.drawing), "svg");
-        }
-        all.push_back({command.drawing, svg(outcome.draw())});
+        all.push_back({command.drawing, picture(outcome.draw(), suffix_of(command.drawing))});
     }
     if (!command.report.empty()) all.push_back({command.report, report_text(command, outcome)});
     return all;

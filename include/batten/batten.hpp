@@ -21,6 +21,7 @@
 #include "batten/shape/curve.hpp"
 #include "batten/shape/jet.hpp"
 #include "batten/shape/piecewise_cubic.hpp"
+#include "batten/shape/spline_function.hpp"
 #include "batten/shape/transform.hpp"
 
 // What a curve measures, and how far it is from something.
@@ -44,6 +45,9 @@
 #include "batten/make/convert.hpp"
 #include "batten/make/densify.hpp"
 #include "batten/make/implicit_cubic.hpp"
+#include "batten/make/fit.hpp"
+#include "batten/make/fit_chunks.hpp"
+#include "batten/make/fit_curve.hpp"
 #include "batten/make/interpolate.hpp"
 #include "batten/make/motion.hpp"
 #include "batten/make/motion_law.hpp"

@@ -43,7 +43,7 @@ std::vector<std::string> names_given(const PointsInput& input) {
 }
 
 Error with_lines(const Error& error, const PointsInput& input) {
-    if (error.code().rfind("points.", 0) != 0) return error;
+    if (error.code().rfind("points.", 0) != 0 && error.rows().empty()) return error;
     if (error.rows().empty()) return error.at(input.table.source);
     std::string place = input.table.source;
     if (input.table.line_of_row.empty()) return error.at(place + ' ' + error.place());
@@ -51,6 +51,8 @@ Error with_lines(const Error& error, const PointsInput& input) {
     for (std::size_t i = 0; i < error.rows().size(); ++i) {
         place += (i > 0 ? " and " : " ") + std::to_string(input.table.line_of_row[error.rows()[i]]);
     }
+    const std::size_t column = error.place().find(", column ");
+    if (column != std::string::npos) place += error.place().substr(column);
     return error.at(place);
 }
 

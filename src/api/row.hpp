@@ -77,5 +77,6 @@ Operation compare_row();
 Operation convert_row();
 Operation draw_row();
 Operation sample_row();
+Operation fit_row();
 
 }  // namespace batten::api

@@ -1,5 +1,6 @@
 #include "batten/base/error.hpp"
 #include "batten/make/fit_chunks.hpp"
+#include "batten/make/fit_curve.hpp"
 #include "fit_samples.hpp"
 
 /// Nonsense in, the right error out.
@@ -25,7 +26,7 @@ std::string code_of(const FitTable& table, const FitOptions& options = {}) {
 FitOptions given(std::vector<double> knots) {
     FitOptions options;
     options.knots = KnotPlacement::given;
-    options.knot_values = std::move(knots);
+    options.knots_values = std::move(knots);
     return options;
 }
 
@@ -110,7 +111,7 @@ TEST(FitRefuses, DistributionsThatAreNone) {
 
 TEST(FitRefuses, KnotsOutsideTheDataOrFalling) {
     EXPECT_EQ(code_of(good(), given({-1})), "fit.knots knot 1");
-    EXPECT_EQ(code_of(good(), given({50, 100})), "fit.knots knot 2");
+    EXPECT_EQ(code_of(good(), given({50, 101})), "fit.knots knot 2");
     EXPECT_EQ(code_of(good(), given({50, 40})), "fit.knots knot 2");
     EXPECT_EQ(code_of(good(), given({50, nan})), "fit.knots knot 2");
     EXPECT_EQ(code_of(good(), given({50, 50, 50, 50, 50})), "fit.knots knot 5");
@@ -130,8 +131,9 @@ TEST(FitRefuses, OptionsThatContradictEachOther) {
     options.stop = StopRule::none;
     EXPECT_EQ(code_of(good(), options), "fit.options stop");
     options = {};
-    options.knot_values = {50};
-    EXPECT_EQ(code_of(good(), options), "fit.options knot_values");
+    options.knots_values = {50};
+    options.knots = KnotPlacement::equal;
+    EXPECT_EQ(code_of(good(), options), "fit.options knots_values");
     options = {};
     options.free_from = 10;
     EXPECT_EQ(code_of(good(), options), "fit.options free_from");
@@ -151,6 +153,70 @@ TEST(FitRefuses, OptionsThatContradictEachOther) {
     options = {};
     options.delta2 = -1;
     EXPECT_EQ(code_of(good(), options), "option.range delta2, free_from");
+}
+
+TEST(FitRefuses, LimitsAndTolerancesThatContradictTheRest) {
+    FitOptions options;
+    options.start_value = 1;
+    options.closed = true;
+    EXPECT_EQ(code_of(good(), options), "fit.options closed");
+    options = {};
+    options.convex = Direction::up;
+    options.degree = 0;
+    EXPECT_EQ(code_of(good(), options), "fit.options degree");
+    options = {};
+    options.tolerance = absolute(0);
+    EXPECT_EQ(code_of(good(), options), "option.range tolerance");
+    options.tolerance = absolute(1);
+    options.intervals = 4;
+    EXPECT_EQ(code_of(good(), options), "fit.options tolerance");
+    options = {};
+    options.knots = KnotPlacement::pruned;
+    options.intervals = 4;
+    EXPECT_EQ(code_of(good(), options), "fit.options knots");
+    options.intervals.reset();
+    options.closed = true;
+    EXPECT_EQ(code_of(good(), options), "fit.options closed");
+}
+
+TEST(FitSays, WhereLimitsCannotBeKept) {
+    FitOptions options;
+    options.degree = 1;
+    options.intervals = 1;
+    options.start_value = 0;
+    options.start_slope = 1;
+    options.end_value = 0;
+    EXPECT_EQ(fit(good().view(), options).report.status, Status::not_met);
+}
+
+TEST(FitCurveRefuses, WhatMakesNoSenseForACurve) {
+    const auto code = [](const Points& points, const FitOptions& options,
+                         const std::vector<double>& sigma = {}) -> std::string {
+        try {
+            fit_curve(points, sigma, options);
+        } catch (const Error& error) {
+            return error.code() + " " + error.place();
+        }
+        return "none";
+    };
+    const Points points({0, 0, 1, 1, 2, 0, 3, 1, 4, 0, 5, 1}, 2);
+    EXPECT_EQ(code(Points(5, 1), {}), "points.dimension points");
+    EXPECT_EQ(code(points, {}, {1, 1}), "fit.lengths sigma");
+    EXPECT_EQ(code(points, {}, {1, 1, 0, 1, 1, 1}), "fit.sigma row 2, column sigma");
+    EXPECT_EQ(code(Points({1, 1, 1, 1, 1, 1, 1, 1, 1, 1}, 2), {}), "points.all-equal points");
+    FitOptions options;
+    options.robust = Robust::reject;
+    EXPECT_EQ(code(points, options), "fit.options robust");
+    options = {};
+    options.knots = KnotPlacement::free;
+    EXPECT_EQ(code(points, options), "fit.options knots");
+    options = {};
+    options.monotone = Direction::up;
+    EXPECT_EQ(code(points, options), "fit.options limits");
+    options = {};
+    options.degree = 0;
+    EXPECT_EQ(code(points, options), "fit.options degree");
+    EXPECT_EQ(code(Points({0, 0, 1, 1}, 2), {}), "fit.too-few samples");
 }
 
 TEST(FitRefuses, ResultsBeyondADouble) {

@@ -51,7 +51,7 @@ TEST(FitOverEqualIntervals, GivesTheReference) {
 
     options.knots = KnotPlacement::given;
     options.intervals.reset();
-    for (int i = 1; i < 10; ++i) options.knot_values.push_back(10 * i);
+    for (int i = 1; i < 10; ++i) options.knots_values.push_back(10 * i);
     EXPECT_EQ(fit(table.view(), options).report.coefficients, result.report.coefficients);
 }
 

@@ -38,7 +38,7 @@ FitTable ragged(std::size_t n, std::uint64_t seed) {
 FitOptions over(std::vector<double> knots, int degree) {
     FitOptions options;
     options.knots = KnotPlacement::given;
-    options.knot_values = std::move(knots);
+    options.knots_values = std::move(knots);
     options.degree = degree;
     return options;
 }

@@ -31,6 +31,7 @@ struct Field {
     Limits limits;
     std::vector<std::string> choices;
     bool takes_file = false;  ///< a file can be named where numbers are expected
+    std::string bare = {};    ///< what the name alone means; empty: it needs a value
 };
 
 /// What can be given for an option: text as a person types it, or the thing itself.
@@ -41,14 +42,14 @@ struct Setting {
     Argument value;
 };
 
-/// A table, and the columns of it that are coordinates.
+/// A table, and the columns of it that are coordinates (none for operations that take a table).
 struct PointsInput {
     Table table;
     std::vector<int> columns;
 };
 
 /// What an operation works on.
-enum class InputKind { points, curve, points_or_curve };
+enum class InputKind { points, curve, points_or_curve, table };
 struct Input {
     std::string name;  ///< for errors and legends: the file's name, or what the caller calls it
     std::variant<PointsInput, Curve> content;
@@ -77,6 +78,7 @@ struct Outcome {
     Value report;
     std::function<Drawing()> draw;  ///< makes the picture, only when somebody wants it
     std::vector<OutputForm> forms = {};  ///< beside those that every output of its kind has
+    std::function<Rows()> rows = {};  ///< what is written for a curve where rows are asked for
 };
 
 struct Operation {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <string_view>
@@ -48,6 +49,12 @@ constexpr std::string_view name_of(E value) {
     }
     return {};
 }
+
+/// A choice that may be named without a word: beside the enumeration stands
+///     constexpr E bare_word(E);
+/// which says what the name alone means.
+template <class E>
+concept BareEnum = NamedEnum<E> && requires(E e) { { bare_word(e) } -> std::same_as<E>; };
 
 /// An angle: radians in memory and in reports, degrees where a person types it.
 struct Angle {

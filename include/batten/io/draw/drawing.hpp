@@ -26,7 +26,7 @@ struct Panel {
     PanelKind kind = PanelKind::geometry;
     std::string x_label;
     std::string y_label;
-    AxisScale x_scale = AxisScale::linear;  ///< log10: charts only; of points, polylines and texts
+    AxisScale x_scale = AxisScale::linear;  ///< log10: charts only, not for curves and arrows
     AxisScale y_scale = AxisScale::linear;
     /// The part to show (in the plane); what lies outside is cut off. Without it everything is
     /// shown.
