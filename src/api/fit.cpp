@@ -181,10 +181,11 @@ Outcome run_parametric(const PointsInput& input, FitTableOptions options) {
                               input.table.notes.end());
     return {Curve(made->curve), made->report.status, {}, report_value(made->report),
             [points, made, o = options.fit] { return fit_curve_picture(*points, *made, o); },
-            [points, made] { return distance_rows(*points, *made); }};
+            {}, [points, made] { return distance_rows(*points, *made); }};
 }
 
-Outcome run(std::span<const Input> inputs, FitTableOptions options) {
+Outcome run(std::span<const Input> inputs, const FitTableOptions& asked) {
+    FitTableOptions options = asked;
     const PointsInput& input = points_input(inputs);
     if (options.parametric) return run_parametric(input, options);
     const auto data = std::make_shared<FitData>(data_of(input.table, options));
@@ -196,7 +197,7 @@ Outcome run(std::span<const Input> inputs, FitTableOptions options) {
     Output output = output_of(*data, *made);
     return {std::move(output), made->report.status, {}, report_of(*made),
             [data, made, o = options.fit] { return fit_picture(*data, *made, o); },
-            [data, made] { return residual_rows(*data, made->spline); }};
+            {}, [data, made] { return residual_rows(*data, made->spline); }};
 }
 
 }  // namespace

@@ -196,7 +196,7 @@ class Results(Folder):
 
     def test_help_of_every_verb_lists_its_options(self):
         top = self.good("--help").stdout
-        verbs = re.findall(r"^  ([a-z][a-z-]*) ", top[top.index("Subcommands:"):], re.MULTILINE)
+        verbs = re.findall(r"^  ([a-z][a-z-]*)  ", top[top.index("Subcommands:"):], re.MULTILINE)
         self.assertGreaterEqual(len(verbs), 11)
         for verb in verbs:
             self.assertIn("--report", self.good(verb, "--help").stdout)

@@ -33,7 +33,7 @@ TEST(SolvePositive, GivesWhatTheMatrixTakesToTheRightSide) {
         const auto x = solve_positive(m, right);
         ASSERT_TRUE(x.has_value());
         const std::vector<double> back = product(m, *x);
-        for (std::size_t i = 0; i < n; ++i) EXPECT_NEAR(back[i], right[i], 1e-12 * n);
+        for (std::size_t i = 0; i < n; ++i) EXPECT_NEAR(back[i], right[i], 1e-12 * static_cast<double>(n));
     }
 }
 

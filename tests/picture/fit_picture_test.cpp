@@ -29,7 +29,7 @@ Drawing drawn(const std::vector<Setting>& more) {
     std::vector<Setting> settings{{"x", "time"}, {"y", "level"}};
     settings.insert(settings.end(), more.begin(), more.end());
     const Input input{"bell.csv", PointsInput{parse_table({"bell.csv", bell_table()}), {}}};
-    return find_operation("fit")->run({&input, 1}, settings).draw();
+    return find_operation("fit")->run({&input, 1}, settings, {}).draw();
 }
 
 TEST(Picture, OfAFitShowsDataBandKnotsResidualsCriterionAndDerivative) {

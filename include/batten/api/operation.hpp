@@ -78,7 +78,7 @@ struct Outcome {
     Value report;
     std::function<Drawing()> draw;  ///< makes the picture, only when somebody wants it
     std::vector<OutputForm> forms = {};  ///< beside those that every output of its kind has
-    std::function<Rows()> rows = {};  ///< what is written for a curve where rows are asked for
+    std::function<Rows()> rows = {};     ///< what is written for a curve where rows are asked for
 };
 
 struct Operation {

@@ -11,7 +11,7 @@ namespace {
 using num::SymmetricMatrix;
 
 constexpr int most_attempts = 8;
-constexpr double gain_enough = 1e-6;  // of delta2, to go on
+constexpr double jupp_gain_enough = 1e-6;  // of delta2, to go on
 constexpr double most_change = 2;     // of a logarithm of a ratio of gaps, in one step
 
 /// d at[j] / d q[i] for Jupp's q_i = ln of the ratio of the gaps after and before knot i, as
@@ -99,7 +99,7 @@ Descent jupp_descent(FreeFit& fit, KnotSet start, int steps) {
             is_taken = value < here.delta2;
             lambda *= is_taken ? 0.2 : 4;
             if (!is_taken) continue;
-            here.is_converged = here.delta2 - value <= gain_enough * here.delta2;
+            here.is_converged = here.delta2 - value <= jupp_gain_enough * here.delta2;
             here.set = next;
         }
         if (!is_taken || here.is_converged) break;

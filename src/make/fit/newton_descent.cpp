@@ -11,7 +11,7 @@ namespace {
 using num::SymmetricMatrix;
 
 constexpr double meeting = 1e-3;          // gap / smaller outer gap where a double knot is tried
-constexpr double gain_enough = 1e-9;      // predicted gain / delta2 that ends the search
+constexpr double newton_gain_enough = 1e-9;      // predicted gain / delta2 that ends the search
 constexpr double difference_step = 1e-5;  // of the smaller gap: error about 1e-10 of the gradient
 constexpr double most_damping = 1e12;
 constexpr double flat = 1e-5;             // scaled eigenvalue: no curvature in this direction
@@ -111,7 +111,7 @@ StepResult try_step(FreeFit& fit, Descent& here, const Landscape& land, Damping&
         const std::vector<double> bent = num::product(land.hessian, step);
         double gain = 0;
         for (std::size_t i = 0; i < m; ++i) gain -= step[i] * (land.gradient[i] + 0.5 * bent[i]);
-        if (gain <= gain_enough * here.delta2 && damping.lambda <= 1) return StepResult::at_minimum;
+        if (gain <= newton_gain_enough * here.delta2 && damping.lambda <= 1) return StepResult::at_minimum;
         const KnotSet next = moved(here.set, step, step_share(fit, here.set, step));
         const double value = is_ordered(fit, next) ? fit.value(next) : here.delta2;
         if (value < here.delta2) {

@@ -10,8 +10,8 @@ namespace batten::fitting {
 namespace {
 
 constexpr int most_sweeps = 100;
-constexpr double gain_enough = 0.01;  // of a criterion in which 2 is hardly worth mentioning
-constexpr double shares[] = {0.5, 0.25, 0.1, 0.03, 0.01};  // of a gap: how far a knot is moved
+constexpr double pruning_gain_enough = 0.01;  // of a criterion in which 2 is hardly worth mentioning
+constexpr double move_shares[] = {0.5, 0.25, 0.1, 0.03, 0.01};  // of a gap: how far a knot is moved
 
 /// One set of knots after the other, each cheaper than the one before.
 class Pruning {
@@ -31,7 +31,7 @@ public:
         move();
         stack();
         put_in();
-        return cost_ < before - gain_enough;
+        return cost_ < before - pruning_gain_enough;
     }
 
 private:
@@ -68,7 +68,7 @@ private:
     /// Every site to where it serves better between its neighbours, long ways first.
     void move() {
         for (std::size_t j = 0; j < set_.size(); ++j) {
-            for (const double share : shares) {
+            for (const double share : move_shares) {
                 for (const double side : {-1.0, 1.0}) {
                     const double gap = side < 0 ? set_.at[j] - before(j) : after(j) - set_.at[j];
                     KnotSet next = set_;

@@ -9,7 +9,7 @@
 namespace batten::fitting {
 namespace {
 
-constexpr int levenberg_steps = 30;
+constexpr int steps_of_a_trial = 30;
 constexpr int sites_tried = 4;  // knots whose removal is followed by a descent
 constexpr std::size_t most_moved = 40;  // knots: a descent costs their cube
 
@@ -115,7 +115,7 @@ std::vector<double> with(std::vector<double> breaks, double at) {
 }
 
 /// `breaks` with all knots wanted, or with as many of them as the samples can determine.
-std::vector<double> refined(Sieve& sieve, const std::vector<double>& breaks) {
+std::vector<double> finer_breaks(Sieve& sieve, const std::vector<double>& breaks) {
     const std::vector<double> wanted = sieve.wanted(breaks);
     std::vector<double> finer = breaks;
     for (const double at : wanted) finer = with(std::move(finer), at);
@@ -158,7 +158,7 @@ std::vector<double> moved_and_thinned(Sieve& sieve, FreeFit& fit, std::vector<do
             const std::vector<double> fewer = without(breaks, i);
             KnotSet set{{fewer.begin() + 1, fewer.end() - 1},
                         std::vector<int>(fewer.size() - 2, 1)};
-            const Descent d = newton_descent(fit, std::move(set), levenberg_steps);
+            const Descent d = newton_descent(fit, std::move(set), steps_of_a_trial);
             const bool is_simple = d.set.count() == static_cast<int>(d.set.size());
             if (!std::isfinite(d.delta2) || !is_simple) continue;
             std::vector<double> next{breaks.front()};
@@ -189,7 +189,7 @@ KnotChoice knots_within(const Samples& samples, const LocalBasis& basis,
                                       samples.sigma_known ? SigmaKnowledge::known
                                                           : SigmaKnowledge::unknown));
         if (sieve.is_within()) break;
-        std::vector<double> finer = refined(sieve, breaks);
+        std::vector<double> finer = finer_breaks(sieve, breaks);
         if (finer.size() == breaks.size()) break;
         breaks = std::move(finer);
     }
