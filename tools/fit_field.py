@@ -2,7 +2,8 @@
 """Fits beside the field: mean squared errors and effective parameters of Batten, SciPy's smoothing
 spline by GCV, mgcv by REML, and FITPACK given the best s there is (by the truth).
 
-usage: fit_field.py COMMAND [--seeds 100] [--sizes 201,1024,2048] [--without mgcv]
+usage: fit_field.py COMMAND [--seeds 100] [--sizes 201,1024,2048] [--functions Blocks,Bumps]
+                    [--without mgcv]
 
 The four functions of [DonohoJohnstone1994] and a bathtub, scaled so that their standard
 deviation is the signal-to-noise ratio and the noise 1. Batten and FITPACK are told the noise. Prints
@@ -142,6 +143,7 @@ def main():
     parser.add_argument("command")
     parser.add_argument("--seeds", type=int, default=100)
     parser.add_argument("--sizes", default="201,1024,2048")
+    parser.add_argument("--functions", default=",".join(FUNCTIONS))
     parser.add_argument("--without", default="")
     arguments = parser.parse_args()
     warnings.simplefilter("ignore")
@@ -150,7 +152,8 @@ def main():
     slim = dict(wins)
     names = None
     with tempfile.TemporaryDirectory() as folder:
-        for label, function in FUNCTIONS.items():
+        for label in arguments.functions.split(","):
+            function = FUNCTIONS[label]
             for n in (int(text) for text in arguments.sizes.split(",")):
                 for ratio in (3, 7):
                     result = cell(arguments, function, n, ratio, folder, penalty)
