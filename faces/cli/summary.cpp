@@ -45,8 +45,10 @@ std::string brief(const ValueMap& map) {
 }
 
 std::string brief(const Value& value) {
+    if (value.is_null()) return "none";
     if (const bool* truth = value.truth()) return *truth ? "yes" : "no";
-    if (value.is_number()) return value.integer() ? std::to_string(*value.integer()) : brief(value.number());
+    if (const long long* whole = value.integer()) return std::to_string(*whole);
+    if (const double* x = value.real()) return brief(*x);
     if (const std::string* text = value.text()) return *text;
     if (const ValueList* list = value.list()) return brief(*list);
     return brief(*value.map());
