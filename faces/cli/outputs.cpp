@@ -87,7 +87,10 @@ bool writes_to_standard_output(const Command& command) {
 std::vector<Written> render(const Command& command, const Outcome& outcome) {
     std::vector<Written> all;
     const bool to_standard = writes_to_standard_output(command);
-    if (to_standard || !command.output.empty()) {
+    // What was asked for does not exist: the report says so, and no file does.
+    const bool is_missing = command.operation->output != OutputKind::report &&
+                            std::holds_alternative<std::monostate>(outcome.output);
+    if (!is_missing && (to_standard || !command.output.empty())) {
         std::string format = command.format;
         if (format.empty()) {
             format = to_standard ? default_format(command.operation->output)
@@ -96,7 +99,7 @@ std::vector<Written> render(const Command& command, const Outcome& outcome) {
         all.push_back({to_standard ? "-" : command.output,
                        output_text(command, outcome, format)});
     }
-    if (!command.drawing.empty()) {
+    if (!command.drawing.empty() && outcome.draw) {
         if (suffix_of(command.drawing) != "svg") {
             refuse_format(suffix_of(command.drawing), "svg");
         }

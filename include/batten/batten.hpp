@@ -17,6 +17,8 @@
 #include "batten/shape/bspline.hpp"
 #include "batten/shape/curve.hpp"
 #include "batten/shape/jet.hpp"
+#include "batten/shape/log_aesthetic.hpp"
+#include "batten/shape/log_aesthetic_space.hpp"
 #include "batten/shape/piecewise_cubic.hpp"
 #include "batten/shape/transform.hpp"
 
@@ -38,6 +40,7 @@
 // Curves from points, and from other curves.
 #include "batten/make/convert.hpp"
 #include "batten/make/interpolate.hpp"
+#include "batten/make/log_aesthetic.hpp"
 #include "batten/make/pseudo_segment.hpp"
 
 // Reading, writing, drawing.

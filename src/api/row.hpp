@@ -69,5 +69,6 @@ Operation evaluate_row();
 Operation compare_row();
 Operation convert_row();
 Operation draw_row();
+Operation log_aesthetic_row();
 
 }  // namespace batten::api

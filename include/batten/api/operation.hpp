@@ -47,7 +47,7 @@ struct PointsInput {
 };
 
 /// What an operation works on.
-enum class InputKind { points, curve, points_or_curve };
+enum class InputKind { points, curve, points_or_curve, none };
 struct Input {
     std::string name;  ///< for errors and legends: the file's name, or what the caller calls it
     std::variant<PointsInput, Curve> content;

@@ -11,7 +11,7 @@ namespace batten {
 /// The tree of a `batten.curve/1` file, as docs/formats.md describes it: every number of the curve,
 /// exact.
 ///
-/// Piecewise cubics and B-splines keep their kind; any other curve whose pieces are polynomials of
+/// Piecewise cubics, B-splines and log-aesthetic curves keep their kind; any other curve whose pieces are polynomials of
 /// degree 3 or less is written as piecewise cubics by its derivatives at the starts of the pieces.
 /// Throws `curve.not-exact` for all others, `number.overflow` where a coefficient is beyond a
 /// double. `name` is free text for people.

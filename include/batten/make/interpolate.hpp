@@ -27,6 +27,7 @@ struct InterpolateReport {
     std::optional<std::vector<double>> tangent_angles_in;
     std::vector<std::string> notes;
     /// not_converged: pseudo-spline-global has reached its last step before its gradient vanished.
+    /// not_met: log-aesthetic has kept tangents at 137 degrees to a chord, where curvatures jump.
     Status status = Status::met;
 };
 
@@ -58,7 +59,8 @@ struct Interpolation {
 /// The curve asked for through `points` (n rows, 2 columns; 3 for pseudo-spline; 2 and more for
 /// hermite methods, 1 and more for splines), with its measures. See docs/interpolation.md.
 ///
-/// Breaks: pseudo-spline, hermite and uniform: 0, 1, 2, ...; chord and centripetal: from 0 by
+/// Breaks: pseudo-spline, hermite and uniform: 0, 1, 2, ...; log-aesthetic: arc length; chord and
+///         centripetal: from 0 by
 /// their steps; given parameters: these; pchip and makima: x.
 /// Laws:   (1) through the points, bit for bit
 ///         (2) points x 2^k (given parameters as they are): the curve x 2^k, exactly

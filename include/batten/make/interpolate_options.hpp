@@ -21,9 +21,10 @@ enum class Method {
     spline,                ///< cubic spline with the ends and the parameter asked for
     pchip,                 ///< y(x): monotone where the points are
     makima,                ///< y(x): few oscillations
+    log_aesthetic,         ///< one log-aesthetic arc a span, curvature continuous
 };
 
-constexpr std::array<Named<Method>, 9> names_of(Method) {
+constexpr std::array<Named<Method>, 10> names_of(Method) {
     return {{{"pseudo-spline", Method::pseudo_spline},
              {"pseudo-spline-global", Method::pseudo_spline_global},
              {"natural-uniform", Method::natural_uniform},
@@ -32,7 +33,8 @@ constexpr std::array<Named<Method>, 9> names_of(Method) {
              {"hermite-arc", Method::hermite_arc},
              {"spline", Method::spline},
              {"pchip", Method::pchip},
-             {"makima", Method::makima}}};
+             {"makima", Method::makima},
+             {"log-aesthetic", Method::log_aesthetic}}};
 }
 
 /// What an open spline does at its two ends.
@@ -61,6 +63,7 @@ constexpr std::array<Named<Parameter>, 3> names_of(Parameter) {
 }
 
 constexpr double most_weight_exponent = 8;
+constexpr double most_alpha = 20;
 
 /// What is asked of a curve through points; `visit_fields` says what each member means.
 struct InterpolateOptions {
@@ -73,6 +76,7 @@ struct InterpolateOptions {
     std::vector<int> corner;
     std::vector<FixedTangent> tangent;
     double weight_exponent = 1;
+    double alpha = -1;
     std::optional<IndexRange> part;
 };
 
@@ -90,15 +94,18 @@ void visit_fields(Options& o, Visit&& visit) {
           "find the tangents and speeds of a pseudo-spline by minimisation, without tables");
     visit("closed", o.closed, anything, "go on from the last point to the first");
     visit("corner", o.corner, anything,
-          "the points, from 0, where the curve may break its direction (pseudo-spline and hermite "
-          "methods)");
+          "the points, from 0, where the curve may break its direction (pseudo-spline, hermite "
+          "and log-aesthetic methods)");
     visit("tangent", o.tangent, anything,
-          "directions fixed at points, from 0 (pseudo-spline and hermite methods; the two ends of "
+          "directions fixed at points, from 0 (pseudo-spline, hermite and log-aesthetic methods; the ends of "
           "an open clamped spline)");
     visit("weight_exponent", o.weight_exponent,
           between(-most_weight_exponent, most_weight_exponent),
           "how chord lengths weigh in a pseudo-spline's tangents: 1 as in the paper, -1 for evenly "
           "curved arcs through uneven points");
+    visit("alpha", o.alpha, between(-most_alpha, most_alpha),
+          "the kind of the arcs of method log-aesthetic: -1 clothoids, 0 Nielsen's and 1 logarithmic "
+          "spirals, 2 circle involutes");
     visit("part", o.part, anything,
           "keep the curve between two points only, after it has been made through all of them");
 }

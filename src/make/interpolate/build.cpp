@@ -9,6 +9,7 @@
 #include "batten/base/text.hpp"
 #include "make/interpolate/function.hpp"
 #include "make/interpolate/hermite.hpp"
+#include "make/interpolate/log_aesthetic.hpp"
 #include "make/interpolate/pseudo_spline.hpp"
 #include "make/interpolate/spline.hpp"
 #include "make/interpolate/vectors.hpp"
@@ -103,6 +104,8 @@ Built built(const Request& request, const InterpolateOptions& options) {
         case Method::makima:
             require_rising_x(outline.points);
             return plain(makima_curve(outline.points));
+        case Method::log_aesthetic:
+            return log_aesthetic(outline, options.alpha);
     }
     throw Error("option.range", "method", std::to_string(static_cast<int>(options.method)),
                 "must be one of the methods");

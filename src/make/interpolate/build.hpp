@@ -11,7 +11,7 @@ namespace batten::interpolation {
 
 /// A curve through points and what became of the search for it.
 struct Built {
-    PiecewiseCubic curve;
+    Curve curve;
     Status status = Status::met;
     std::vector<std::string> notes;
 };
