@@ -67,12 +67,10 @@ std::string output_text(const Command& command, const Outcome& outcome,
     return report_text(command, outcome);
 }
 
-std::string default_format(OutputKind kind) {
-    switch (kind) {
-        case OutputKind::rows: return "csv";
-        case OutputKind::drawing: return "svg";
-        default: return "json";
-    }
+std::string default_format(const Output& output) {
+    if (std::holds_alternative<Rows>(output)) return "csv";
+    if (std::holds_alternative<Drawing>(output)) return "svg";
+    return "json";
 }
 
 /// A report alone is not poured over the summary that a person at a terminal reads anyway.
@@ -93,7 +91,7 @@ std::vector<Written> render(const Command& command, const Outcome& outcome) {
     if (!is_missing && (to_standard || !command.output.empty())) {
         std::string format = command.format;
         if (format.empty()) {
-            format = to_standard ? default_format(command.operation->output)
+            format = to_standard ? default_format(outcome.output)
                                  : suffix_of(command.output);
         }
         all.push_back({to_standard ? "-" : command.output,

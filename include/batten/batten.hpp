@@ -29,6 +29,7 @@
 #include "batten/measure/continuity.hpp"
 #include "batten/measure/coordinate.hpp"
 #include "batten/measure/curvature.hpp"
+#include "batten/measure/curvature_graph.hpp"
 #include "batten/measure/deviation.hpp"
 #include "batten/measure/energy.hpp"
 #include "batten/measure/length.hpp"
@@ -38,7 +39,9 @@
 #include "batten/measure/nearest.hpp"
 
 // Curves from points, and from other curves.
+#include "batten/make/alpha.hpp"
 #include "batten/make/convert.hpp"
+#include "batten/make/fair.hpp"
 #include "batten/make/interpolate.hpp"
 #include "batten/make/log_aesthetic.hpp"
 #include "batten/make/pseudo_segment.hpp"

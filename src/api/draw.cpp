@@ -13,6 +13,7 @@ struct DrawOptions {
     bool control_polygon = false;
     bool curvature = false;
     bool index = false;
+    bool lcg = false;
     std::string title;
     int width = 800;
 };
@@ -24,6 +25,7 @@ void visit_fields(Options& o, Visit&& visit) {
     visit("control_polygon", o.control_polygon, anything, "the Bezier control points of each curve");
     visit("curvature", o.curvature, anything, "a second panel: curvature against arc length");
     visit("index", o.index, anything, "number the points, from 0");
+    visit("lcg", o.lcg, anything, "a panel more: the logarithmic curvature graph, its line and slope");
     visit("title", o.title, anything, "a line of text above the picture");
     visit("width", o.width, between(240, 4000), "width of the picture in pixels");
 }
@@ -57,6 +59,7 @@ Outcome run(std::span<const Input> inputs, const DrawOptions& options) {
         if (const Curve* curve = std::get_if<Curve>(&input.content)) {
             add_curve(drawing, *curve, legend(input), options);
             if (options.curvature) plots.push_back(curvature_plot(*curve, legend(input)));
+            if (options.lcg) plots.push_back(curvature_graph_plot(*curve, legend(input)));
             ++report.curves;
         }
     }

@@ -6,7 +6,8 @@ namespace batten {
 const std::vector<Operation>& operations() {
     static const std::vector<Operation> table = {
         api::interpolate_row(), api::measure_row(), api::evaluate_row(),
-        api::compare_row(),     api::convert_row(), api::log_aesthetic_row(),
+        api::compare_row(),     api::convert_row(), api::fair_row(),
+        api::log_aesthetic_row(),
         api::draw_row(),
     };
     return table;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string_view>
 
 /// How options and reports describe themselves.
@@ -53,6 +54,12 @@ constexpr std::string_view name_of(E value) {
 struct Angle {
     double radians = 0;
     bool operator==(const Angle&) const = default;
+};
+
+/// A number, or `auto`: found from the data.
+struct AutoNumber {
+    std::optional<double> value;
+    bool operator==(const AutoNumber&) const = default;
 };
 
 /// The tangent direction at one point: `index` from 0, absolute angle.

@@ -11,7 +11,9 @@ namespace {
 constexpr double panel_change = 3;
 
 /// So many nodes leave an error below rounding.
-int nodes_for(double change) { return change < 0.2 ? 6 : change < 1 ? 8 : 12; }
+int nodes_for(double change) {
+    return change < 0.06 ? 3 : change < 0.2 ? 6 : change < 1 ? 8 : 12;
+}
 
 }  // namespace
 
