@@ -15,6 +15,7 @@
 // Shapes.
 #include "batten/shape/basis.hpp"
 #include "batten/shape/bspline.hpp"
+#include "batten/shape/coons.hpp"
 #include "batten/shape/curve.hpp"
 #include "batten/shape/jet.hpp"
 #include "batten/shape/log_aesthetic.hpp"
@@ -37,6 +38,7 @@
 #include "batten/measure/measure.hpp"
 #include "batten/measure/measured.hpp"
 #include "batten/measure/nearest.hpp"
+#include "batten/measure/surface.hpp"
 
 // Curves from points, and from other curves.
 #include "batten/make/alpha.hpp"

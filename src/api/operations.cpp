@@ -8,7 +8,7 @@ const std::vector<Operation>& operations() {
         api::interpolate_row(), api::measure_row(), api::evaluate_row(),
         api::compare_row(),     api::convert_row(), api::fair_row(),
         api::log_aesthetic_row(),
-        api::draw_row(),
+        api::coons_row(),       api::draw_row(),
     };
     return table;
 }

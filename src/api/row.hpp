@@ -69,6 +69,7 @@ Operation evaluate_row();
 Operation compare_row();
 Operation convert_row();
 Operation draw_row();
+Operation coons_row();
 Operation fair_row();
 Operation log_aesthetic_row();
 
