@@ -44,6 +44,7 @@
 #include "batten/make/alpha.hpp"
 #include "batten/make/convert.hpp"
 #include "batten/make/fair.hpp"
+#include "batten/make/fair_surface.hpp"
 #include "batten/make/interpolate.hpp"
 #include "batten/make/log_aesthetic.hpp"
 #include "batten/make/pseudo_segment.hpp"

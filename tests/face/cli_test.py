@@ -133,7 +133,8 @@ class Results(Folder):
         self.assertEqual((lines[0], len(lines)), ("east,north", 61))
         arcs = self.good("fair", table, "--columns", "east,north", "--as", "arcs").stdout
         self.assertEqual(json.loads(arcs)["kind"], "log-aesthetic")
-        self.good("fair", table, "--columns", "east,north", "--engine", "filter", "--alpha", "0.5")
+        self.good("fair", table, "--columns", "east,north", "--engine", "filter", "--alpha=-1",
+                  "--spacing", "kept", "--split", "--tolerance", "0.01", "--sweeps", "1000")
 
     def test_compare_exits_3_where_a_point_is_out_of_tolerance(self):
         self.good("interpolate", points("violin.csv"), "-o", self.path("c.json"))

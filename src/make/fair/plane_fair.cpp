@@ -9,6 +9,7 @@
 #include "batten/base/text.hpp"
 #include "make/fair/coarse.hpp"
 #include "make/fair/smooth.hpp"
+#include "make/fair/thin.hpp"
 
 namespace batten::fairing {
 namespace {
@@ -179,6 +180,10 @@ private:
 }  // namespace
 
 PlaneResult fair_plane(const PlaneGoal& goal, const PlaneWish& wish) {
+    return is_crowded(goal.data) ? faired_thinly(goal, wish) : fair_kept(goal, wish);
+}
+
+PlaneResult fair_kept(const PlaneGoal& goal, const PlaneWish& wish) {
     PlaneResult result = Continuation(goal, wish).run();
     const std::size_t n = goal.data.size();
     if (static_cast<double>(n) < longest_wave) return result;

@@ -24,4 +24,7 @@ struct PlaneResult {
 /// Throws `fair.folds` where even the smoothed points turn back.
 PlaneResult fair_plane(const PlaneGoal& goal, const PlaneWish& wish);
 
+/// The same for points of which none are crowded.
+PlaneResult fair_kept(const PlaneGoal& goal, const PlaneWish& wish);
+
 }  // namespace batten::fairing
