@@ -25,6 +25,7 @@ papers: ## make the papers' figures and tables again, into papers/
 	@./setup.sh core test
 	@$(call compile,release,papers)
 	@build/release/papers/papers_inoue_shibata papers/inoue-shibata
+	@build/release/papers/papers_miura_yoshida_saito papers/miura-yoshida-saito
 
 test: ## run all tests
 	@./setup.sh core test

@@ -96,8 +96,9 @@ std::vector<Points> runs_along(const CoonsPatch& patch, double v,
         const std::optional<double> angle = view ? zebra_angle(jet, *view) : 0.0;
         const bool draws = angle && (!view || is_dark(*angle, view->stripes));
         if (draws && !is_drawing) runs.emplace_back(0, 3);
-        if (draws) runs.back().push_back(jet.point);
-        if (is_drawing && !draws) runs.back().push_back(jet.point);
+        // Ends exactly, and so many between that no bend of a sensible patch is lost.
+        const bool ends = draws != is_drawing || i == steps;
+        if ((draws || is_drawing) && (ends || i % 12 == 0)) runs.back().push_back(jet.point);
         is_drawing = draws;
     }
     return runs;
