@@ -66,6 +66,8 @@ TEST(LogAestheticCurve, RefusesArcsThatAreNone) {
     EXPECT_EQ(code_of_arc({0.5, 1, 0, 1}), "log-aesthetic.pieces");
     EXPECT_EQ(code_of_arc({-1, 1, 1, -2}), "none");
     EXPECT_EQ(code_of_arc({0.5, 1, 1e300, 1e-300}), "log-aesthetic.pieces");
+    EXPECT_EQ(code_of_arc({-1, 1e9, 1, -1}), "log-aesthetic.pieces");
+    EXPECT_EQ(code_of_arc({-1, 1e300, 1e300, 1}), "log-aesthetic.pieces");
     EXPECT_EQ(code_of([] { LogAestheticCurve(Points(2, 2), {0.0, 1.0}, {{}, {}}); }),
               "log-aesthetic.pieces");
 }

@@ -41,8 +41,9 @@ class LogAestheticCurve {
 public:
     /// From n + 1 joints, the n directions (radians) in which the pieces start, and n arcs.
     /// Throws `log-aesthetic.pieces` where these do not fit or an arc is none (a length not above
-    /// 0, numbers not finite, curvatures of different signs with another alpha than -1, or beyond
-    /// e^600 of one another), `points.dimension`, `points.not-finite`, `curve.breaks`.
+    /// 0, numbers not finite, curvatures of different signs with another alpha than -1 or beyond
+    /// e^600 of one another, curvature times length above 1e5), `points.dimension`,
+    /// `points.not-finite`, `curve.breaks`.
     LogAestheticCurve(PointsView joints, std::vector<double> angles,
                       std::vector<LogAestheticSegment> segments, bool closed = false);
     /// One arc from a point. Throws as above.

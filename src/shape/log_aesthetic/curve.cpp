@@ -15,6 +15,8 @@ namespace {
 using spiral::Profile;
 using Complex = std::complex<double>;
 
+constexpr double most_turn = 1e5;  ///< radians, of the tighter end
+
 [[noreturn]] void refuse(std::size_t piece, double value, const char* rule) {
     throw Error("log-aesthetic.pieces", "piece " + std::to_string(piece), format_number(value),
                 rule);
@@ -26,6 +28,10 @@ void require_arc(const LogAestheticSegment& s, double angle, std::size_t piece) 
     }
     if (!(s.length > 0) || !std::isfinite(s.length)) {
         refuse(piece, s.length, "a length must be finite and above 0");
+    }
+    const double size = std::fmax(std::fabs(s.start_curvature), std::fabs(s.end_curvature));
+    if (!(size * s.length <= most_turn)) {
+        refuse(piece, size * s.length, "curvature times length must be at most 1e5");
     }
     if (s.alpha == -1 || s.start_curvature == s.end_curvature) return;
     if (!(s.start_curvature / s.end_curvature > 0)) {
