@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "batten/base/error.hpp"
+#include "batten/io/curve_file.hpp"
 #include "batten/make/log_aesthetic.hpp"
 #include "batten/shape/log_aesthetic_space.hpp"
 
@@ -70,6 +71,32 @@ TEST(LogAestheticCurve, RefusesArcsThatAreNone) {
     EXPECT_EQ(code_of_arc({-1, 1e300, 1e300, 1}), "log-aesthetic.pieces");
     EXPECT_EQ(code_of([] { LogAestheticCurve(Points(2, 2), {0.0, 1.0}, {{}, {}}); }),
               "log-aesthetic.pieces");
+}
+
+std::string code_of_file(const std::string& entries) {
+    return code_of([&] {
+        parse_curve({"c.json", "{\"format\": \"batten.curve/1\", \"kind\": \"log-aesthetic\", " +
+                                   entries + "}"});
+    });
+}
+
+TEST(LogAestheticCurve, OfAFileMustFitItsPoints) {
+    const std::string points = "\"points\": [[0, 0], [2, 0]], ", angles = "\"angles\": [0], ";
+    EXPECT_EQ(code_of_file(points + angles + "\"arcs\": [[-1, 2, 0, 0]]"), "none");
+    EXPECT_EQ(code_of_file(points + angles + "\"arcs\": [[-1, 2, 1, 0]]"), "curve.gap");
+    EXPECT_EQ(code_of_file(points + angles + "\"arcs\": [[-1, 2, 0]]"), "curve.entry");
+    EXPECT_EQ(code_of_file(points + angles + "\"arcs\": [[-1, -2, 0, 0]]"), "log-aesthetic.pieces");
+    EXPECT_EQ(code_of_file(points + "\"arcs\": [[-1, 2, 0, 0]]"), "curve.entry");
+    EXPECT_EQ(code_of_file(angles + "\"arcs\": [[-1, 2, 0, 0]]"), "curve.entry");
+    EXPECT_EQ(code_of_file(points + "\"closed\": true, " + angles + "\"arcs\": [[-1, 2, 0, 0]]"),
+              "curve.gap");
+}
+
+TEST(LogAestheticCurve, ReadsBackFromItsFileBitForBit) {
+    const LogAestheticMade made = log_aesthetic({{0, 0, 1, 0.3, 1.3, 0.9}, 0.5});
+    const Curve copy = curve_of(curve_value(*made.curve), "c");
+    ASSERT_TRUE(copy.shape<LogAestheticCurve>());
+    EXPECT_EQ(*copy.shape<LogAestheticCurve>(), *made.curve);
 }
 
 TEST(LogAestheticSpaceCurve, RefusesRadiiThatVanish) {
