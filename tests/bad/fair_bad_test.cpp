@@ -100,6 +100,25 @@ TEST(Fairing, OfARingThatRepeatsItsFirstPointSaysSo) {
     EXPECT_NE(made.report.notes.front().find("repeats"), std::string::npos);
 }
 
+TEST(Fairing, TakesRingsOfFivePointsAndZigzags) {
+    for (int n = 5; n < 12; ++n) {
+        Points ring(0, 2), zigzag(0, 2);
+        for (int i = 0; i < n; ++i) {
+            const double t = 2 * std::acos(-1.0) * i / n;
+            ring.push_back(std::vector<double>{std::cos(t), 0.8 * std::sin(t)});
+            zigzag.push_back(std::vector<double>{1.0 * (i % 2), 1e-3 * i});
+        }
+        FairOptions options;
+        options.closed = true;
+        options.sigma = 0.01;
+        const Fairing made = fair(ring, options);
+        EXPECT_LT(made.report.max_displacement, 0.1);
+        options = {};
+        options.engine = FairEngine::filter;
+        EXPECT_LT(fair(zigzag, options).report.max_displacement, 10);
+    }
+}
+
 TEST(AlphaFromPoints, RefusesTooFewPoints) {
     const auto code = [](const Points& points) {
         try {

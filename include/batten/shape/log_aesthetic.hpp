@@ -42,7 +42,7 @@ public:
     /// From n + 1 joints, the n directions (radians) in which the pieces start, and n arcs.
     /// Throws `log-aesthetic.pieces` where these do not fit or an arc is none (a length not above
     /// 0, numbers not finite, curvatures of different signs with another alpha than -1 or beyond
-    /// e^600 of one another, curvature times length above 1e5), `points.dimension`,
+    /// e^600 of one another, a turn above 1e5), `points.dimension`,
     /// `points.not-finite`, `curve.breaks`.
     LogAestheticCurve(PointsView joints, std::vector<double> angles,
                       std::vector<LogAestheticSegment> segments, bool closed = false);

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double least_share = 0.2, most_share = 5;  ///< of the window's mean |kappa|
 constexpr std::size_t fewest_samples = 3;
+constexpr double sharpest_bend = 1.9;  ///< curvature times chord: at 2 the chord is a diameter
 
 /// rho^alpha from the curvature (alpha = 0: ln rho), and back.
 class Power {
@@ -153,16 +154,17 @@ private:
         const double dx = track_.x[a] - track_.x[b], dy = track_.y[a] - track_.y[b];
         const double chord_sq = dx * dx + dy * dy;
         double t = 0.5, sagitta = kappa * chord_sq / 8;
+        const double chord = std::sqrt(chord_sq), bend = kappa * chord;
+        if (!(std::fabs(bend) < sharpest_bend)) return 0;
         if (plan_.foot == Foot::kept) {
             t = share_[i - first_inner()];
-            const double chord = std::sqrt(chord_sq), x = t * chord, bend = kappa * chord;
-            if (std::fabs(bend) > 1.9) return 0;
+            const double x = t * chord;
             const double off = kappa * (x - 0.5 * chord);
             sagitta = kappa * x * (chord - x) /
                       (std::sqrt(1 - off * off) + std::sqrt(1 - 0.25 * bend * bend));
         }
         // A left turn's point lies to the right of the chord.
-        const double scale = sagitta / std::sqrt(chord_sq);
+        const double scale = sagitta / chord;
         double x = track_.x[b] + t * dx + scale * dy, y = track_.y[b] + t * dy - scale * dx;
         keep_within_bound(i, x, y);
         const double moved = std::hypot(x - track_.x[i], y - track_.y[i]);
@@ -211,9 +213,10 @@ double linearity_residual(const std::vector<double>& s, const std::vector<double
     LineSums line;
     std::vector<double> at, value;
     for (std::size_t i = 0; i < s.size(); ++i) {
-        if (kappa[i] == 0) continue;
+        const double radius = power.of(std::fabs(kappa[i]));
+        if (kappa[i] == 0 || !std::isfinite(radius)) continue;
         at.push_back(s[i]);
-        value.push_back(power.of(std::fabs(kappa[i])));
+        value.push_back(radius);
         line.add(s[i], value.back());
     }
     const double spread = line.count * line.ss - line.s * line.s;
@@ -225,7 +228,8 @@ double linearity_residual(const std::vector<double>& s, const std::vector<double
         const double rest = value[i] - mean - slope * (at[i] - middle);
         sum += rest * rest;
     }
-    return mean == 0 ? 0 : std::sqrt(sum / line.count) / std::fabs(mean);
+    const double residual = std::sqrt(sum / line.count) / std::fabs(mean);
+    return std::isfinite(residual) ? residual : 0;
 }
 
 }  // namespace batten::fairing

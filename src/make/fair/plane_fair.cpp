@@ -18,6 +18,7 @@ constexpr double soft = 0.1, hard = 0.03;  ///< of the typical curvature
 constexpr double rough_move = 0.02, fine_move = 1e-3;  ///< of sigma, where steps end
 constexpr int rough_steps = 12, fine_steps = 60;
 constexpr double shortest_curve = 8;  ///< sigma: a shorter one drowns in its noise
+constexpr std::size_t smallest_ring = 9;
 constexpr double longest_wave = 1500;  ///< points
 constexpr double ratio = 10;  ///< from one lambda to the next
 constexpr double most_rms = 1.5;  ///< over sigma, where the search for lambda ends
@@ -177,6 +178,20 @@ private:
     bool converged_ = false;
 };
 
+/// A ring needs 9 points to be solved; three times round gives the same answer three times.
+PlaneResult fair_small_ring(const PlaneGoal& goal, const PlaneWish& wish) {
+    PlaneGoal thrice = goal;
+    const std::size_t n = goal.data.size();
+    for (std::size_t i = n; i < 3 * n; ++i) {
+        thrice.data.x.push_back(goal.data.x[i - n * (i / n)]);
+        thrice.data.y.push_back(goal.data.y[i - n * (i / n)]);
+    }
+    PlaneResult result = Continuation(thrice, wish).run();
+    result.track.x.resize(n);
+    result.track.y.resize(n);
+    return result;
+}
+
 }  // namespace
 
 PlaneResult fair_plane(const PlaneGoal& goal, const PlaneWish& wish) {
@@ -184,6 +199,7 @@ PlaneResult fair_plane(const PlaneGoal& goal, const PlaneWish& wish) {
 }
 
 PlaneResult fair_kept(const PlaneGoal& goal, const PlaneWish& wish) {
+    if (goal.data.closed && goal.data.size() < smallest_ring) return fair_small_ring(goal, wish);
     PlaneResult result = Continuation(goal, wish).run();
     const std::size_t n = goal.data.size();
     if (static_cast<double>(n) < longest_wave) return result;

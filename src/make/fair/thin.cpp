@@ -6,6 +6,7 @@
 namespace batten::fairing {
 namespace {
 
+constexpr std::size_t fewest_kept = 5;
 constexpr double crowded = 0.1, least_gap = 0.2;  ///< of the median edge
 
 std::vector<double> edges_of(const Track& t) {
@@ -55,12 +56,12 @@ Tangent tangent_at(const Track& t, std::size_t i) {
     return {dx / length, dy / length};
 }
 
-/// Puts point i on the cubic from kept point j to the next one.
-void place(Track& whole, std::size_t i, const Track& few, std::size_t j, const PlaneGoal& goal) {
+/// Puts point i on the cubic from kept point j to the next one, at the share t of it.
+void place(Track& whole, std::size_t i, const Track& few, std::size_t j, double t,
+           const PlaneGoal& goal) {
     const std::size_t k = few.next(j);
     const double cx = few.x[k] - few.x[j], cy = few.y[k] - few.y[j], c_sq = cx * cx + cy * cy;
-    const double dx = goal.data.x[i] - few.x[j], dy = goal.data.y[i] - few.y[j];
-    const double t = std::clamp((cx * dx + cy * dy) / c_sq, 0.0, 1.0), u = 1 - t;
+    const double u = 1 - t;
     const double chord = std::sqrt(c_sq);
     const Tangent p = tangent_at(few, j), q = tangent_at(few, k);
     const double first = t * u * u * chord, second = -t * t * u * chord, step = t * t * (3 - 2 * t);
@@ -84,6 +85,7 @@ bool is_crowded(const Track& track) {
 
 PlaneResult faired_thinly(const PlaneGoal& goal, const PlaneWish& wish) {
     const std::vector<std::size_t> kept = kept_points(goal.data, goal.held_ends);
+    if (kept.size() < fewest_kept) return fair_kept(goal, wish);
     PlaneGoal few{{{}, {}, goal.data.closed}, goal.sigma, goal.bound, goal.held_ends};
     for (const std::size_t i : kept) {
         few.data.x.push_back(goal.data.x[i]);
@@ -92,14 +94,18 @@ PlaneResult faired_thinly(const PlaneGoal& goal, const PlaneWish& wish) {
     PlaneResult result = fair_kept(few, wish);
     const Track fair = std::move(result.track);
     result.track = goal.data;
+    const std::size_t n = goal.data.size();
     for (std::size_t k = 0; k < kept.size(); ++k) {
         result.track.x[kept[k]] = fair.x[k];
         result.track.y[kept[k]] = fair.y[k];
         const bool is_last = k + 1 == kept.size();
         if (is_last && !goal.data.closed) break;
-        const std::size_t end = is_last ? goal.data.size() + kept.front() : kept[k + 1];
+        const std::size_t end = is_last ? n + kept.front() : kept[k + 1];
+        double total = 0, s = 0;
+        for (std::size_t i = kept[k]; i < end; ++i) total += goal.data.edge(i % n);
         for (std::size_t i = kept[k] + 1; i < end; ++i) {
-            place(result.track, i % goal.data.size(), fair, k, goal);
+            s += goal.data.edge((i - 1) % n);
+            place(result.track, i % n, fair, k, s / total, goal);
         }
     }
     return result;

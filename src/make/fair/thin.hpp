@@ -12,7 +12,7 @@ namespace batten::fairing {
 bool is_crowded(const Track& track);
 
 /// Fairing of a crowded track: points at least a fifth of the median edge apart are made fair, the
-/// others are put on the cubics between these, where the data are abreast of them.
+/// others are put on the cubics between these, by their share of the arc length.
 PlaneResult faired_thinly(const PlaneGoal& goal, const PlaneWish& wish);
 
 }  // namespace batten::fairing

@@ -129,6 +129,7 @@ double span_alpha(double alpha, Bends b) {
     const double small = std::fmin(std::fabs(b.start), std::fabs(b.end));
     const double large = std::fmax(std::fabs(b.start), std::fabs(b.end));
     const double x = std::fmin(1, small / large / pure);
+    if (x < 1e-4) return -1;  // what is left of alpha + 1 is below 3e-8
     return -1 + (alpha + 1) * x * x * (3 - 2 * x);
 }
 

@@ -15,7 +15,7 @@ namespace {
 using spiral::Profile;
 using Complex = std::complex<double>;
 
-constexpr double most_turn = 1e5;  ///< radians, of the tighter end
+constexpr double most_turn = 1e5;  ///< radians; of a clothoid that of its tighter end
 
 [[noreturn]] void refuse(std::size_t piece, double value, const char* rule) {
     throw Error("log-aesthetic.pieces", "piece " + std::to_string(piece), format_number(value),
@@ -29,11 +29,13 @@ void require_arc(const LogAestheticSegment& s, double angle, std::size_t piece) 
     if (!(s.length > 0) || !std::isfinite(s.length)) {
         refuse(piece, s.length, "a length must be finite and above 0");
     }
-    const double size = std::fmax(std::fabs(s.start_curvature), std::fabs(s.end_curvature));
-    if (!(size * s.length <= most_turn)) {
-        refuse(piece, size * s.length, "curvature times length must be at most 1e5");
+    const auto require_turn = [&](double turn) {
+        if (!(turn <= most_turn)) refuse(piece, turn, "an arc must turn by at most 1e5 radians");
+    };
+    if (s.alpha == -1 || s.start_curvature == s.end_curvature) {
+        require_turn(std::fmax(std::fabs(s.start_curvature), std::fabs(s.end_curvature)) * s.length);
+        return;
     }
-    if (s.alpha == -1 || s.start_curvature == s.end_curvature) return;
     if (!(s.start_curvature / s.end_curvature > 0)) {
         refuse(piece, s.end_curvature, "only with alpha -1 the curvature may change its sign");
     }
@@ -41,6 +43,7 @@ void require_arc(const LogAestheticSegment& s, double angle, std::size_t piece) 
     if (!(r * std::fmax(1, std::fabs(s.alpha) + 1) <= spiral::largest_exponent)) {
         refuse(piece, r, "the logarithm of the radii's ratio, times |alpha| + 1, must be at most 600");
     }
+    require_turn(std::fabs(Profile(s).turn()));
 }
 
 Complex point_of(PointsView points, std::size_t row) { return {points(row, 0), points(row, 1)}; }

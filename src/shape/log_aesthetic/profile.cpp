@@ -10,9 +10,9 @@ namespace {
 /// The angle, or the logarithms of radius and speed, change by 3 at most on a panel.
 constexpr double panel_change = 3;
 
-/// So many nodes leave an error below rounding.
+/// So many nodes leave an error below rounding: (change / 2)^n / n! of the rule's own.
 int nodes_for(double change) {
-    return change < 0.06 ? 3 : change < 0.2 ? 6 : change < 1 ? 8 : 12;
+    return change < 0.005 ? 4 : change < 0.06 ? 5 : change < 0.2 ? 6 : change < 1 ? 8 : 12;
 }
 
 }  // namespace
