@@ -36,6 +36,7 @@ papers: ## make the papers' figures and tables again, into papers/
 	@build/release/papers/papers_inoue_shibata papers/inoue-shibata
 	@build/release/papers/papers_nakajima papers/nakajima
 	@build/release/papers/papers_inoue_shibata_tables
+	@build/release/papers/papers_miura_yoshida_saito papers/miura-yoshida-saito
 
 test: ## run all tests
 	@./setup.sh core test

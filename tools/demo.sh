@@ -32,4 +32,12 @@ run batten draw $out/natural-uniform.json $out/natural-chord.json $out/hermite-c
     -o $out/needles.svg --quiet
 run batten compare $out/pseudo-spline.json --to $points/inoue-shibata-table-2.csv
 
-say "Pictures: $out/violin.svg $out/aerofoil.svg $out/needles.svg"
+say "4. A car's side line, heights rounded to whole millimetres: made fair within 1 mm."
+run batten fair $points/car-side.csv --sigma 0.29 --tolerance 1 -o $out/car-side.csv \
+    --draw $out/car-side.svg
+say "   The same as a chain of log-aesthetic arcs; how far are the points from it?"
+run batten fair $points/car-side.csv --sigma 0.29 --tolerance 1 --as arcs -o $out/car-side.json
+run batten compare $out/car-side.json --to $points/car-side.csv --tolerance 1.2
+run batten measure $out/car-side.json --draw $out/car-side-curvature.svg
+
+say "Pictures: $out/violin.svg $out/aerofoil.svg $out/needles.svg $out/car-side.svg"

@@ -48,7 +48,8 @@ void add_field(Typed& typed, std::size_t index) {
     option->group("Options");
 }
 
-void add_common(CLI::App& verb, const Operation& operation, Command& command) {
+void add_input(CLI::App& verb, const Operation& operation, Command& command) {
+    if (operation.input == InputKind::none) return;
     const char* const what = operation.input == InputKind::points ? "POINTS"
                              : operation.input == InputKind::table ? "TABLE"
                              : operation.input == InputKind::curve ? "CURVE"
@@ -56,6 +57,10 @@ void add_common(CLI::App& verb, const Operation& operation, Command& command) {
     CLI::Option* input = verb.add_option("input", command.inputs, "the file to read, - for standard input");
     input->required()->type_name(what);
     if (!operation.many_inputs) input->expected(1);
+}
+
+void add_common(CLI::App& verb, const Operation& operation, Command& command) {
+    add_input(verb, operation, command);
     const std::string group = "Input and output";
     verb.add_option("-o,--output", command.output, "write the result to this file, its form by suffix")
         ->type_name("FILE")->group(group);

@@ -85,12 +85,10 @@ std::string output_text(const Command& command, const Outcome& outcome,
     return report_text(command, outcome);
 }
 
-std::string default_format(OutputKind kind) {
-    switch (kind) {
-        case OutputKind::rows: return "csv";
-        case OutputKind::drawing: return "svg";
-        default: return "json";
-    }
+std::string default_format(const Output& output) {
+    if (std::holds_alternative<Rows>(output)) return "csv";
+    if (std::holds_alternative<Drawing>(output)) return "svg";
+    return "json";
 }
 
 /// A report alone is not poured over the summary that a person at a terminal reads anyway.
@@ -105,16 +103,19 @@ bool writes_to_standard_output(const Command& command) {
 std::vector<Written> render(const Command& command, const Outcome& outcome) {
     std::vector<Written> all;
     const bool to_standard = writes_to_standard_output(command);
-    if (to_standard || !command.output.empty()) {
+    // What was asked for does not exist: the report says so, and no file does.
+    const bool is_missing = command.operation->output != OutputKind::report &&
+                            std::holds_alternative<std::monostate>(outcome.output);
+    if (!is_missing && (to_standard || !command.output.empty())) {
         std::string format = command.format;
         if (format.empty()) {
-            format = to_standard ? default_format(command.operation->output)
+            format = to_standard ? default_format(outcome.output)
                                  : suffix_of(command.output);
         }
         all.push_back({to_standard ? "-" : command.output,
                        output_text(command, outcome, format)});
     }
-    if (!command.drawing.empty()) {
+    if (!command.drawing.empty() && outcome.draw) {
         all.push_back({command.drawing, picture(outcome.draw(), suffix_of(command.drawing))});
     }
     if (!command.report.empty()) all.push_back({command.report, report_text(command, outcome)});

@@ -110,6 +110,11 @@ void read(const Argument& argument, Angle& out, const Slot& slot) {
     out.radians = number(text_of(argument, slot), slot) * degree;
 }
 
+void read(const Argument& argument, AutoNumber& out, const Slot& slot) {
+    const std::string_view text = trimmed(text_of(argument, slot));
+    out.value = text == "auto" ? std::nullopt : std::optional(number(text, slot));
+}
+
 void read(const Argument& argument, IndexRange& out, const Slot& slot) {
     const auto [from, to] =
         halves(text_of(argument, slot), ',', slot, "must be two indices FROM,TO");
@@ -196,6 +201,7 @@ Value shown(const Tolerance& x) {
     return format_number(x.value) + "r";
 }
 Value shown(const Angle& x) { return x.radians / degree; }
+Value shown(const AutoNumber& x) { return x.value ? Value(*x.value) : Value("auto"); }
 Value shown(const IndexRange& x) { return ValueList{x.from, x.to}; }
 Value shown(const Interval& x) { return ValueList{x.lo, x.hi}; }
 Value shown(const std::vector<int>& x) { return ValueList(x.begin(), x.end()); }
@@ -227,6 +233,7 @@ Spelling spelling(const double&) { return {FieldKind::number, "NUMBER"}; }
 Spelling spelling(const std::string&) { return {FieldKind::text, "TEXT"}; }
 Spelling spelling(const Tolerance&) { return {FieldKind::tolerance, "TOLERANCE"}; }
 Spelling spelling(const Angle&) { return {FieldKind::number, "DEGREES"}; }
+Spelling spelling(const AutoNumber&) { return {FieldKind::text, "NUMBER|auto"}; }
 Spelling spelling(const IndexRange&) { return {FieldKind::list, "FROM,TO"}; }
 Spelling spelling(const Interval&) { return {FieldKind::list, "A,B"}; }
 Spelling spelling(const std::vector<int>&) { return {FieldKind::list, "I,…"}; }

@@ -78,5 +78,8 @@ Operation convert_row();
 Operation draw_row();
 Operation sample_row();
 Operation fit_row();
+Operation coons_row();
+Operation fair_row();
+Operation log_aesthetic_row();
 
 }  // namespace batten::api

@@ -96,10 +96,47 @@ class Results(Folder):
 
     def test_every_method_goes_through_the_points(self):
         for method in ("pseudo-spline", "natural-uniform", "natural-chord", "hermite-chord",
-                       "hermite-arc", "spline", "lagrange-2", "lagrange-3", "arc-chain"):
+                       "hermite-arc", "spline", "lagrange-2", "lagrange-3", "arc-chain",
+                       "log-aesthetic"):
             curve = self.good("interpolate", points("violin.csv"), "--method", method).stdout
             compared = self.report("compare", "-", "--to", points("violin.csv"), input=curve)
             self.assertLess(compared["report"]["max"], 1e-12 * 400)
+
+    def test_a_log_aesthetic_segment_is_a_curve_that_other_verbs_read(self):
+        segment = self.good("log-aesthetic", "--points", "0,0,1,0,1,1", "--alpha", "0.5").stdout
+        measured = self.report("measure", "-", input=segment)
+        self.assertAlmostEqual(measured["report"]["length"], math.pi / 2, delta=1e-13)
+        report = self.report("log-aesthetic", "--points", "0,0,1,0,1.3,0.9", "--alpha", "2",
+                             "-o", self.path("c.json"), "--draw", self.path("c.svg"))
+        self.assertTrue(report["report"]["drawable"])
+        self.assertEqual(len(report["report"]["curvatures"]), 2)
+        self.good("draw", self.path("c.json"), "--lcg", "-o", self.path("lcg.svg"))
+
+    def test_an_undrawable_segment_exits_3_and_writes_no_curve(self):
+        done = self.run_command("log-aesthetic", "--points", "0,0,1,0,1,20", "--alpha=-1",
+                                "-o", "c.json", "--draw", "c.svg", "--report", "r.json")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("no arc of alpha -1", done.stderr)
+        self.assertEqual(sorted(os.listdir(self.folder.name)), ["r.json"])
+        with open(self.path("r.json"), encoding="utf-8") as stream:
+            self.assertEqual(json.load(stream)["status"], "not_met")
+
+    def test_noisy_points_come_out_fair_in_the_columns_they_were_given(self):
+        rows = "\n".join(f"{t},{t * 0.1!r},{math.sin(t * 0.1) + 0.001 * (t * 7 % 5 - 2)!r}"
+                         for t in range(60))
+        table = self.file("p.csv", "n,east,north\n" + rows + "\n")
+        report = self.report("fair", table, "--columns", "east,north", "--tolerance", "0.01",
+                             "-o", self.path("f.csv"), "--draw", self.path("f.svg"))["report"]
+        self.assertLessEqual(report["max_displacement"], 0.01)
+        for key in ("alpha", "sweeps", "rms_displacement", "linearity_residual", "segments"):
+            self.assertIn(key, report)
+        with open(self.path("f.csv"), encoding="utf-8") as stream:
+            lines = stream.read().splitlines()
+        self.assertEqual((lines[0], len(lines)), ("east,north", 61))
+        arcs = self.good("fair", table, "--columns", "east,north", "--as", "arcs").stdout
+        self.assertEqual(json.loads(arcs)["kind"], "log-aesthetic")
+        self.good("fair", table, "--columns", "east,north", "--engine", "filter", "--alpha=-1",
+                  "--spacing", "kept", "--split", "--tolerance", "0.01", "--sweeps", "1000")
 
     def test_compare_exits_3_where_a_point_is_out_of_tolerance(self):
         self.good("interpolate", points("violin.csv"), "-o", self.path("c.json"))
@@ -197,7 +234,7 @@ class Results(Folder):
     def test_help_of_every_verb_lists_its_options(self):
         top = self.good("--help").stdout
         verbs = re.findall(r"^  ([a-z][a-z-]*)  ", top[top.index("Subcommands:"):], re.MULTILINE)
-        self.assertGreaterEqual(len(verbs), 11)
+        self.assertGreaterEqual(len(verbs), 14)
         for verb in verbs:
             self.assertIn("--report", self.good(verb, "--help").stdout)
         self.assertIn("--weight-exponent", self.good("interpolate", "--help").stdout)
@@ -467,6 +504,18 @@ class BadInput(Folder):
                            says=["rows 4 and 5"])
         self.interpolating("points.all-equal", "1,1\n1,1\n1,1\n", says=["p.csv"])
         self.interpolating("number.overflow", "0,0\n1e308,1e308\n-1e308,1e308\n")
+
+    def test_points_that_cannot_be_made_fair(self):
+        few = self.file("few.csv", "0,0\n1,0\n2,1\n3,1\n")
+        self.refused("points.too-few", "fair", few, says=["few.csv"])
+        arc = self.file("arc.csv", "\n".join(f"{math.cos(k / 9)!r},{math.sin(k / 9)!r}"
+                                             for k in range(9)))
+        self.refused("fair.tolerance-below-sigma", "fair", arc, "--sigma", "0.1",
+                     "--tolerance", "0.01")
+        self.refused("fair.closed-has-no-ends", "fair", arc, "--closed", "--fix-ends", "position")
+        self.refused("option.value", "fair", arc, "--alpha", "much", says=["--alpha"])
+        self.refused("option.range", "fair", arc, "--alpha", "nan", says=["--alpha"])
+        self.refused("log-aesthetic.points", "log-aesthetic", "--points", "0,0,1,0")
 
     def test_files_that_cannot_be_read_or_written(self):
         self.refused("file.missing", "interpolate", "nowhere.csv", says=["nowhere.csv"])

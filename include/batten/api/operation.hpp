@@ -49,7 +49,7 @@ struct PointsInput {
 };
 
 /// What an operation works on.
-enum class InputKind { points, curve, points_or_curve, table };
+enum class InputKind { points, curve, points_or_curve, table, none };
 struct Input {
     std::string name;  ///< for errors and legends: the file's name, or what the caller calls it
     std::variant<PointsInput, Curve> content;

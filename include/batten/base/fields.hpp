@@ -4,6 +4,7 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string_view>
 
 /// How options and reports describe themselves.
@@ -60,6 +61,12 @@ concept BareEnum = NamedEnum<E> && requires(E e) { { bare_word(e) } -> std::same
 struct Angle {
     double radians = 0;
     bool operator==(const Angle&) const = default;
+};
+
+/// A number, or `auto`: found from the data.
+struct AutoNumber {
+    std::optional<double> value;
+    bool operator==(const AutoNumber&) const = default;
 };
 
 /// The tangent direction at one point: `index` from 0, absolute angle.

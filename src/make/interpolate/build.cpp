@@ -10,6 +10,7 @@
 #include "batten/shape/arc_chain.hpp"
 #include "make/interpolate/function.hpp"
 #include "make/interpolate/hermite.hpp"
+#include "make/interpolate/log_aesthetic.hpp"
 #include "make/interpolate/pseudo_spline.hpp"
 #include "make/interpolate/spline.hpp"
 #include "make/interpolate/windows_and_arcs.hpp"
@@ -130,6 +131,8 @@ Built built(const Request& request, const InterpolateOptions& options) {
             return lagrange_windows(outline, options, 3);
         case Method::arc_chain:
             return joined_arcs(outline);
+        case Method::log_aesthetic:
+            return log_aesthetic(outline, options.alpha);
     }
     throw Error("option.range", "method", std::to_string(static_cast<int>(options.method)),
                 "must be one of the methods");

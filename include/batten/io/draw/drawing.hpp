@@ -81,4 +81,8 @@ std::string svg(const Drawing& drawing);
 /// Source: Gauss-Legendre, 8 nodes between samples [DLMF, 3.5(v)].
 Panel curvature_plot(const Curve& curve, const std::string& name = {});
 
+/// A chart of the logarithmic curvature graph of a curve, with its least-squares line; the caption
+/// gives the slope and its standard error. Throws `curve.dimension`.
+Panel curvature_graph_plot(const Curve& curve, const std::string& name = {});
+
 }  // namespace batten
