@@ -227,8 +227,8 @@ void figure_4(const std::string& folder) {
     drawing.title = "Figure 4: stripes mirrored by a Coons patch, from three sides";
     drawing.columns = 3;
     drawing.panels.clear();
-    for (const std::array<double, 3> eye : {std::array{0.5, -6.0, 4.0}, {6.0, -2.0, 3.0},
-                                            {-4.0, -3.0, 6.0}}) {
+    const std::array<double, 3> eyes[] = {{0.5, -6, 4}, {6, -2, 3}, {-4, -3, 6}};
+    for (const std::array<double, 3>& eye : eyes) {
         Panel panel;
         panel.axes = AxesStyle::hidden;
         panel.add(PolylineLayer{stripes(patch, {eye, {0, 0, 1}, 20}), {}, {Tone::ink, Dash::solid, 1.8}});

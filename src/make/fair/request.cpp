@@ -21,9 +21,11 @@ void require_options(const FairOptions& o) {
     const double alpha = o.alpha.value.value_or(-1);
     require(std::fabs(alpha) <= 20, "alpha", alpha, "must be at least -20 and at most 20");
     require(std::fabs(o.beta) <= 20, "beta", o.beta, "must be at least -20 and at most 20");
-    for (const auto& [name, value] : {std::pair("sigma", o.sigma), {"lambda", o.lambda}}) {
+    const auto require_positive = [&](std::optional<double> value, const char* name) {
         if (value) require(*value > 0 && std::isfinite(*value), name, *value, "must be above 0");
-    }
+    };
+    require_positive(o.sigma, "sigma");
+    require_positive(o.lambda, "lambda");
     if (o.tolerance) {
         const double value = o.tolerance->value;
         require(value > 0 && std::isfinite(value), "tolerance", value, "must be above 0");
