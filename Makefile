@@ -10,7 +10,7 @@ compile = mkdir -p build && $(call configure,$(1)) && \
 	cmake --build build/$(1) -j $(JOBS) --target $(or $(2),all)
 run_tests = ctest --test-dir build/$(1) -j $(JOBS) --output-on-failure
 
-.PHONY: help build demo tables papers test asan tsan clang fuzz wasm clean
+.PHONY: help build demo tables papers python package bench test asan tsan clang fuzz wasm clean
 help: ## list these commands
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "make %-7s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
@@ -37,6 +37,20 @@ papers: ## make the papers' figures and tables again, into papers/
 	@build/release/papers/papers_nakajima papers/nakajima
 	@build/release/papers/papers_inoue_shibata_tables
 	@build/release/papers/papers_miura_yoshida_saito papers/miura-yoshida-saito
+
+python: ## build the Python module and pack it as a wheel, into build/release/wheel
+	@./setup.sh core test python
+	@$(call compile,release,wheel)
+
+package: ## pack library and command as .tar.gz and .deb, into build/release/package
+	@./setup.sh core test package
+	@$(call compile,release,product)
+	@cmake --build build/release --target package
+
+bench: ## measure speed beside the peers, into docs/benchmarks.md
+	@./setup.sh core test bench
+	@$(call compile,release,batten_speed)
+	@/usr/bin/python3 bench/speed/run.py build/release/bench/batten_speed .
 
 test: ## run all tests
 	@./setup.sh core test

@@ -13,30 +13,6 @@
 namespace batten::cli {
 namespace {
 
-Input read_input(const std::string& path, const Command& command) {
-    const Source source = read_source(path);
-    const InputKind kind = command.operation->input;
-    const bool is_curve = holds_curve(source);
-    const bool takes_rows = kind == InputKind::points || kind == InputKind::table;
-    if (takes_rows && is_curve) {
-        throw Error("input.kind", source.name, "a curve",
-                    std::string(command.operation->name) + " takes points");
-    }
-    if (kind == InputKind::curve && !is_curve) {
-        // Read it all the same: what is wrong with the file comes before what it is for.
-        parse_table(source);
-        throw Error("input.kind", source.name, "points",
-                    std::string(command.operation->name) +
-                        " takes a curve; `batten interpolate` makes one");
-    }
-    if (is_curve) return {source.name, parse_curve(source)};
-    const Table table = parse_table(source);
-    if (kind == InputKind::table && command.columns.empty()) {
-        return {source.name, PointsInput{table, {}}};
-    }
-    return {source.name, PointsInput{table, coordinate_columns(table, command.columns)}};
-}
-
 /// Whether the text is a number, or one with `r` behind it: a share.
 bool is_number(std::string_view text) {
     text = trimmed(text);
@@ -111,6 +87,32 @@ Argument read_numbers(const std::string& path) {
                                 : Argument(points_of(table, coordinate_columns(table)));
 }
 
+}  // namespace
+
+Input read_input(const std::string& path, const Command& command) {
+    const Source source = read_source(path);
+    const InputKind kind = command.operation->input;
+    const bool is_curve = holds_curve(source);
+    const bool takes_rows = kind == InputKind::points || kind == InputKind::table;
+    if (takes_rows && is_curve) {
+        throw Error("input.kind", source.name, "a curve",
+                    std::string(command.operation->name) + " takes points");
+    }
+    if (kind == InputKind::curve && !is_curve) {
+        // Read it all the same: what is wrong with the file comes before what it is for.
+        parse_table(source);
+        throw Error("input.kind", source.name, "points",
+                    std::string(command.operation->name) +
+                        " takes a curve; `batten interpolate` makes one");
+    }
+    if (is_curve) return {source.name, parse_curve(source)};
+    const Table table = parse_table(source);
+    if (kind == InputKind::table && command.columns.empty()) {
+        return {source.name, PointsInput{table, {}}};
+    }
+    return {source.name, PointsInput{table, coordinate_columns(table, command.columns)}};
+}
+
 Argument argument_of(const Command& command, const Field& field, const std::string& text,
                      const std::vector<Input>& inputs) {
     switch (field.kind) {
@@ -131,8 +133,6 @@ Argument argument_of(const Command& command, const Field& field, const std::stri
         default: return text;
     }
 }
-
-}  // namespace
 
 std::vector<Input> read_inputs(const Command& command) {
     std::vector<Input> inputs;

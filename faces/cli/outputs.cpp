@@ -94,6 +94,7 @@ std::string default_format(const Output& output) {
 /// A report alone is not poured over the summary that a person at a terminal reads anyway.
 bool writes_to_standard_output(const Command& command) {
     if (!command.output.empty()) return command.output == "-";
+    if (command.keeps_result) return false;
     if (command.operation->output != OutputKind::report) return command.report != "-";
     return command.report.empty() && !isatty(STDOUT_FILENO);
 }

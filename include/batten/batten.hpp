@@ -81,4 +81,6 @@
 #include "batten/io/write_points.hpp"
 
 // Every operation as a row of one table: what the faces are made from.
+#include "batten/api/argument.hpp"
+#include "batten/api/job.hpp"
 #include "batten/api/operation.hpp"

@@ -64,10 +64,10 @@ std::vector<std::string_view> split(std::string_view text, char mark) {
 }
 
 /// The two halves of `text` around `mark`.
-std::pair<std::string_view, std::string_view> halves(const std::string& text, char mark,
+std::pair<std::string_view, std::string_view> halves(std::string_view text, char mark,
                                                      const Slot& slot, const char* rule) {
     const std::vector<std::string_view> parts = split(text, mark);
-    if (parts.size() != 2) refuse(slot, text, rule);
+    if (parts.size() != 2) refuse(slot, std::string(text), rule);
     return {parts[0], parts[1]};
 }
 
@@ -166,7 +166,7 @@ void read(const Argument& argument, std::vector<FixedTangent>& out, const Slot& 
     out.clear();
     for (const std::string_view part : split(text_of(argument, slot), ',')) {
         const auto [index, angle] =
-            halves(std::string(part), ':', slot, "must be INDEX:DEGREES, for example 0:90");
+            halves(part, ':', slot, "must be INDEX:DEGREES, for example 0:90");
         out.push_back({whole(index, {slot.name, at_least(0)}),
                        Angle{number(angle, {slot.name, between(-1e6, 1e6)}) * degree}});
     }

@@ -31,9 +31,14 @@ const PointsInput& points_input(std::span<const Input> inputs) {
     return *points;
 }
 
-Points points_of(const PointsInput& input) { return batten::points_of(input.table, input.columns); }
+Points points_of(const PointsInput& input) {
+    if (!input.borrowed) return batten::points_of(input.table, input.columns);
+    require_finite(*input.borrowed);
+    return Points(*input.borrowed);
+}
 
 std::vector<std::string> names_given(const PointsInput& input) {
+    if (input.borrowed) return coordinate_names(input.borrowed->dim());
     if (input.table.names.empty()) return coordinate_names(static_cast<int>(input.columns.size()));
     std::vector<std::string> names;
     for (const int column : input.columns) {

@@ -38,7 +38,8 @@ Operation row(Head head, Outcome (*run)(std::span<const Input>, const Options&))
                 Outcome outcome = run(inputs, options);
                 outcome.options = options_value(options);
                 return outcome;
-            }};
+            },
+            [](const std::vector<Setting>& settings) { options_from<Options>(settings); }};
 }
 
 /// The one curve of the inputs. Throws `input.kind`, `input.count`.

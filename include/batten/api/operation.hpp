@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -42,14 +44,26 @@ struct Setting {
     Argument value;
 };
 
-/// A table, and the columns of it that are coordinates (none for operations that take a table).
+/// A table, and the columns of it that are coordinates (none for operations that take a table); or
+/// points in the caller's memory, which must stay there until the operation has run.
 struct PointsInput {
     Table table;
     std::vector<int> columns;
+    std::optional<PointsView> borrowed = {};  ///< in place of the table's cells
 };
 
 /// What an operation works on.
 enum class InputKind { points, curve, points_or_curve, table, none };
+
+/// What every face calls it.
+constexpr std::array<Named<InputKind>, 5> names_of(InputKind) {
+    return {{{"points", InputKind::points},
+             {"curve", InputKind::curve},
+             {"points_or_curve", InputKind::points_or_curve},
+             {"table", InputKind::table},
+             {"none", InputKind::none}}};
+}
+
 struct Input {
     std::string name;  ///< for errors and legends: the file's name, or what the caller calls it
     std::variant<PointsInput, Curve> content;
@@ -93,6 +107,8 @@ struct Operation {
     /// Throws `Cancelled` where the progress is told to stop.
     std::function<Outcome(std::span<const Input>, const std::vector<Setting>&, const Progress&)>
         run;
+    /// Throws what `run` would throw for these settings alone, whatever the inputs.
+    std::function<void(const std::vector<Setting>&)> check = {};
 };
 
 /// All operations, in the order a person meets them.
