@@ -6,17 +6,16 @@
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
+#include "shape/space.hpp"
 
 namespace batten {
 namespace {
-
-using Vector = std::array<double, 3>;
 
 constexpr double largest_gap = 1e-6;  ///< of the extent
 
 /// Value and two derivatives over [0, 1].
 struct EdgeJet {
-    Vector point{}, slope{}, bow{};
+    space::Vector point{}, slope{}, bow{};
 };
 
 EdgeJet edge_jet(const Curve& curve, double x) {
@@ -33,8 +32,8 @@ EdgeJet edge_jet(const Curve& curve, double x) {
 }
 
 /// The corner where end `a` of one edge meets end `b` of another.
-Vector corner(const Curve& first, double a, const Curve& second, double b, const char* name) {
-    const Vector p = edge_jet(first, a).point, q = edge_jet(second, b).point;
+space::Vector corner(const Curve& first, double a, const Curve& second, double b, const char* name) {
+    const space::Vector p = edge_jet(first, a).point, q = edge_jet(second, b).point;
     const double gap = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
     if (!(gap <= largest_gap * std::fmax(extent(first), extent(second)))) {
         throw Error("coons.corners", name, "a gap of " + format_number(gap),
