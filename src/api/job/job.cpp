@@ -173,7 +173,9 @@ void read_inputs(Step& step, const Value& map, const std::vector<Step>& before,
 }
 
 void read_texts(Step& step, const Value& map) {
-    for (const auto& [key, value] : *map.map()) {
+    for (const auto& pair : *map.map()) {
+        const std::string& key = pair.first;
+        const Value& value = pair.second;
         const auto entry = std::find_if(text_entries.begin(), text_entries.end(),
                                         [&](const TextEntry& each) { return each.key == key; });
         if (entry != text_entries.end()) {
