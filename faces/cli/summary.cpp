@@ -9,11 +9,16 @@ namespace {
 
 constexpr std::size_t most_shown = 6;
 
+/// Records of more fields fill lines: they are for the report.
+constexpr std::size_t most_fields = 3;
+
 std::string brief(const Value& value);
 
-/// The first few of a list, and how many there are.
+/// The first few of a list, and how many there are; of long records only that.
 std::string brief(const ValueList& list) {
     if (list.empty()) return "none";
+    const ValueMap* record = list.front().map();
+    if (record && record->size() > most_fields) return std::to_string(list.size()) + " in the report";
     std::string text;
     for (std::size_t i = 0; i < std::min(list.size(), most_shown); ++i) {
         text += (i > 0 ? (list[i].map() ? "; " : ", ") : "") + brief(list[i]);
