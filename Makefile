@@ -72,7 +72,7 @@ clang: ## build with clang++ and run the tests against known values
 	@$(call compile,clang)
 	@$(call run_tests,clang) -R '^known/'
 
-fuzz: ## feed hostile input to every reader for FUZZ_SECONDS in all
+fuzz: ## feed hostile input to readers and operations for FUZZ_SECONDS in all
 	@./setup.sh core clang
 	@$(call compile,fuzz)
 	@tools/fuzz.sh build/fuzz $(FUZZ_SECONDS)

@@ -289,6 +289,26 @@ class MorePointsAndArcs(Folder):
         self.assertLess(report["points_out"], 20)
         self.assertLessEqual(report["max_error"], 1e-2)
 
+    def test_thin_keeps_the_other_columns_of_its_rows(self):
+        rows = ["time,x,y,label,z2"] + [f"{i},{i * 0.1},0,p{i},{i * i}" for i in range(11)]
+        done = self.good("thin", "-", "--tolerance", "1e-3", input="\n".join(rows))
+        self.assertEqual(done.stdout.splitlines()[0], "time,x,y,z2")
+        self.assertEqual(done.stdout.splitlines()[-1], "10,1,0,100")
+
+    def test_the_summary_of_arcs_is_short(self):
+        summary = self.good("arcs", "-", input=HALF_ELLIPSE).stderr
+        self.assertLess(max(len(line) for line in summary.splitlines()), 80)
+
+    def test_arcs_slow_down_by_a_law_of_motion(self):
+        self.good("arcs", "-", "--feed", "300", "--feed-law", "smoothstep", "-o",
+                  self.path("a.gcode"), input=HALF_ELLIPSE)
+        with open(self.path("a.gcode"), encoding="utf-8") as stream:
+            # the two arcs in the middle take the same time
+            feeds = [float(line.split("F")[1]) for line in stream if "F" in line]
+        self.assertEqual((max(feeds), len(feeds)), (300, 5))
+        self.refused("option.missing", "arcs", "-", "--feed-law", "time-optimal", "-o",
+                     self.path("b.gcode"), input=HALF_ELLIPSE)
+
     def test_the_papers_chain_of_arcs_has_the_papers_radii(self):
         for start in (("--start-angle", "90"), ("--start-normal", "0"), ("--start-normal", "180")):
             report = self.report("arcs", "-", *start, "-o", self.path("a.json"),

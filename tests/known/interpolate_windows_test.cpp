@@ -42,6 +42,24 @@ TEST(Lagrange, InterpolatesAsDensifyDoes) {
     }
 }
 
+TEST(Lagrange, TakesTheRuleForItsParameters) {
+    const Points uneven({0, 0, 1, 2, 5, 3, 6, 0, 6.5, 0.5, 12, 1}, 2);
+    for (const Parameter rule : {Parameter::uniform, Parameter::chord, Parameter::centripetal}) {
+        InterpolateOptions options;
+        options.method = Method::lagrange_3;
+        options.parameter = rule;
+        DensifyOptions same;
+        same.between = 0;
+        same.parameter = rule == Parameter::uniform ? LagrangeParameter::index
+                         : rule == Parameter::chord ? LagrangeParameter::chord
+                                                    : LagrangeParameter::centripetal;
+        EXPECT_EQ(*interpolate(uneven, options).curve.shape<PiecewiseCubic>(),
+                  *densify(uneven, same).curve.shape<PiecewiseCubic>());
+    }
+    const Curve unasked = through(uneven, Method::lagrange_3).curve;
+    EXPECT_EQ(unasked.domain().hi, 5);
+}
+
 TEST(Lagrange, TakesGivenParametersAndFewPoints) {
     InterpolateOptions options;
     options.method = Method::lagrange_3;

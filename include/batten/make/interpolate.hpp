@@ -61,9 +61,9 @@ struct Interpolation {
 /// hermite methods, 1 and more for splines and lagrange), with its measures. See
 /// docs/interpolation.md.
 ///
-/// Breaks: pseudo-spline, hermite, lagrange and uniform: 0, 1, 2, ...; chord and centripetal: from
-/// 0 by their steps; given parameters: these; pchip and makima: x; arc-chain and log-aesthetic: arc
-/// lengths.
+/// Breaks: pseudo-spline, hermite and uniform: 0, 1, 2, ...; chord and centripetal: from 0 by their
+/// steps; given parameters: these; pchip and makima: x; arc-chain and log-aesthetic: arc lengths.
+/// Unless told, spline is by chords and lagrange uniform.
 /// Laws:   (1) through the points, bit for bit
 ///         (2) points x 2^k (given parameters as they are): the curve x 2^k, exactly
 ///         (3) the mirror image (x, -y) exactly; reversal and rotation to rounding

@@ -56,7 +56,7 @@ constexpr std::array<Named<Ends>, 3> names_of(Ends) {
         {{"natural", Ends::natural}, {"clamped", Ends::clamped}, {"not-a-knot", Ends::not_a_knot}}};
 }
 
-/// How fast the parameter of a spline grows from point to point.
+/// How fast the parameter of a spline or of a lagrange method grows from point to point.
 enum class Parameter {
     uniform,      ///< 1 a chord
     chord,        ///< the chord's length
@@ -76,7 +76,7 @@ constexpr double most_alpha = 20;
 struct InterpolateOptions {
     Method method = Method::pseudo_spline;
     Ends ends = Ends::natural;
-    Parameter parameter = Parameter::chord;
+    std::optional<Parameter> parameter;
     std::vector<double> parameter_values;
     bool exact = false;
     bool closed = false;
@@ -94,7 +94,8 @@ void visit_fields(Options& o, Visit&& visit) {
     visit("method", o.method, anything, "how the curve goes through the points");
     visit("ends", o.ends, anything, "what an open spline does at its ends (method spline)");
     visit("parameter", o.parameter, anything,
-          "how the parameter grows from point to point (method spline)");
+          "how the parameter grows from point to point (spline: chord unless given; lagrange methods: "
+          "uniform)");
     visit("parameter_values", o.parameter_values, anything,
           "the parameters themselves, strictly increasing, one a point; closed: one more, where "
           "the curve comes back (spline and lagrange methods)");

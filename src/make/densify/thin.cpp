@@ -26,6 +26,10 @@ std::vector<ShortageRecord> shortages(const Thinning& thinning) {
         ShortageRecord& run = runs.back();
         run.to = cell + 1;
         run.error = std::max(run.error, errors[cell]);
+        if (!std::isfinite(run.error)) {
+            throw Error("number.overflow", "cell " + std::to_string(cell), "beyond a double",
+                        "scale the points down or spread them out");
+        }
         run.times = std::ceil(std::pow(run.error / thinning.tolerance(), 1 / order));
     }
     return runs;

@@ -54,7 +54,8 @@ PiecewiseCubic spline_with(const Outline& outline, std::vector<double> parameter
 
 PiecewiseCubic spline_as(const Outline& outline, const InterpolateOptions& options) {
     if (options.parameter_values.empty()) {
-        return spline_with(outline, parameters_by(options.parameter, outline.chords), options.ends);
+        const Parameter rule = options.parameter.value_or(Parameter::chord);
+        return spline_with(outline, parameters_by(rule, outline.chords), options.ends);
     }
     require_parameters(options.parameter_values, outline.chords.lengths.size() + 1);
     return spline_with(outline, options.parameter_values, options.ends);
