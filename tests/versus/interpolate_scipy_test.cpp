@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -13,6 +15,14 @@
 namespace batten {
 namespace {
 
+template <NamedEnum Enum>
+Enum word_of(const nlohmann::json& name) {
+    for (const auto& word : names_of(Enum{})) {
+        if (word.name == name.get<std::string>()) return word.value;
+    }
+    throw std::invalid_argument(name.get<std::string>());
+}
+
 /// Sets the field that has the key's name from a JSON value.
 struct FieldReader {
     const nlohmann::json& options;
@@ -22,9 +32,9 @@ struct FieldReader {
         const auto found = options.find(name);
         if (found == options.end()) return;
         if constexpr (NamedEnum<Field>) {
-            for (const auto& word : names_of(field)) {
-                if (word.name == found->get<std::string>()) field = word.value;
-            }
+            field = word_of<Field>(*found);
+        } else if constexpr (std::is_same_v<Field, std::optional<Parameter>>) {
+            field = word_of<Parameter>(*found);
         } else if constexpr (std::is_same_v<Field, bool> ||
                              std::is_same_v<Field, std::vector<double>>) {
             field = found->get<Field>();
