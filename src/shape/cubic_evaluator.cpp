@@ -1,36 +1,14 @@
 #include "batten/shape/cubic_evaluator.hpp"
 
-#include <algorithm>
 #include <cassert>
+
+#include "shape/cubic_kernel.hpp"
 
 namespace batten {
 namespace {
 
-/// Cells a piece: with equal pieces, half of the cells hold no break.
-constexpr std::size_t cells_a_piece = 2;
-
-/// One coordinate of a run of parameters on one piece.
-template <int Order>
-void run_on(const double* c, double origin, std::span<const double> t, std::size_t stride,
-            std::size_t dim, double* out) {
-    const double c0 = c[0], c1 = c[1], c2 = c[2], c3 = c[3];
-    for (const double at : t) {
-        const double u = at - origin;
-        out[0] = c0 + u * (c1 + u * (c2 + u * c3));
-        if constexpr (Order > 0) out[dim] = c1 + u * (2 * c2 + u * 3 * c3);
-        if constexpr (Order > 1) out[2 * dim] = 2 * c2 + u * 6 * c3;
-        out += stride;
-    }
-}
-
-/// The same for values alone that lie side by side, which the compiler works on in vectors.
-void run_of_values(const double* c, double origin, std::span<const double> t, double* out) {
-    const double c0 = c[0], c1 = c[1], c2 = c[2], c3 = c[3];
-    for (std::size_t i = 0; i < t.size(); ++i) {
-        const double u = t[i] - origin;
-        out[i] = c0 + u * (c1 + u * (c2 + u * c3));
-    }
-}
+/// Cells a piece: where breaks lie at random, few cells hold more than one.
+constexpr std::size_t cells_a_piece = 4;
 
 }  // namespace
 
@@ -54,56 +32,20 @@ CubicEvaluator::CubicEvaluator(const PiecewiseCubic& curve)
     first_.resize(cells + 1);
     std::size_t piece = 0;
     for (std::size_t cell = 0; cell <= cells; ++cell) {
-        while (piece + 1 < pieces && cell_of(breaks_[piece + 1]) < cell) ++piece;
+        while (piece + 1 < pieces && cubics::cell_of(indexed(), breaks_[piece + 1]) < cell) ++piece;
         first_[cell] = static_cast<std::uint32_t>(piece);
     }
 }
 
-/// Grows with t, roundings included: so a parameter's piece begins in its cell or is the one that
-/// the cell begins in.
-std::size_t CubicEvaluator::cell_of(double t) const {
-    const double last = static_cast<double>(cells_a_piece * (breaks_.size() - 1) - 1);
-    const double place = (t - breaks_[0]) * cells_;
-    return static_cast<std::size_t>(place > 0 ? (place < last ? place : last) : 0);
-}
-
-std::size_t CubicEvaluator::piece_of(double t) const {
-    const std::size_t cell = cell_of(t);
-    std::size_t lo = first_[cell];
-    std::size_t hi = cell + 1 < first_.size() - 1 ? first_[cell + 1] : breaks_.size() - 2;
-    while (hi > lo + 1) {
-        const std::size_t middle = lo + (hi - lo) / 2;
-        (breaks_[middle] <= t ? lo : hi) = middle;
-    }
-    // Without a branch: half of the random parameters go either way.
-    return lo + static_cast<std::size_t>(breaks_[lo + 1] <= t && lo < hi);
+cubics::Indexed CubicEvaluator::indexed() const {
+    return {dim_,           breaks_, coefficients_.data(), last_point_.data(), first_.data(),
+            cells_, static_cast<double>(first_.size() - 2)};
 }
 
 void CubicEvaluator::evaluate(std::span<const double> t, int order, std::span<double> out) const {
     assert(order >= 0 && order <= 2);
-    const std::size_t stride = static_cast<std::size_t>(order + 1) * dim_;
-    assert(out.size() == t.size() * stride);
-    const double end = breaks_.back();
-    for (std::size_t first = 0; first < t.size();) {
-        const std::size_t piece = piece_of(t[first]);
-        const double lo = breaks_[piece], hi = breaks_[piece + 1];
-        std::size_t last = first + 1;
-        // Where neighbours lie far apart, a loop that ends after one step is a branch mispredicted.
-        const auto is_here = [&](std::size_t i) { return lo <= t[i] && t[i] < hi; };
-        const bool is_run = first + 8 <= t.size() && is_here(first + 3) && is_here(first + 7);
-        while (is_run && last < t.size() && is_here(last)) ++last;
-        const std::span<const double> run = t.subspan(first, last - first);
-        for (std::size_t k = 0; k < dim_; ++k) {
-            const double* const c = coefficients_.data() + 4 * (piece * dim_ + k);
-            double* const to = out.data() + first * stride + k;
-            if (stride == 1) run_of_values(c, lo, run, to);
-            if (order == 0 && stride > 1) run_on<0>(c, lo, run, stride, dim_, to);
-            if (order == 1) run_on<1>(c, lo, run, stride, dim_, to);
-            if (order == 2) run_on<2>(c, lo, run, stride, dim_, to);
-            if (t[first] == end) *to = last_point_[k];
-        }
-        first = last;
-    }
+    assert(out.size() == t.size() * static_cast<std::size_t>(order + 1) * dim_);
+    cubics::evaluate(indexed(), t, order, out);
 }
 
 }  // namespace batten
