@@ -72,6 +72,17 @@ class BitForBit(unittest.TestCase):
                 self.assertEqual(made.curve.to_json(), arcs, case)
                 self.assertEqual(made.to_json(), report, case)
 
+    def test_every_fit_file_gives_the_same_spline_and_report(self):
+        folder = os.path.join(SOURCE, "cases", "fits")
+        for case in sorted(os.listdir(folder)):
+            path = os.path.join(folder, case)
+            curve, report = command("fit", path)
+            table = numpy.genfromtxt(path, delimiter=",", names=True)
+            made = batten.fit({name: table[name] for name in table.dtype.names})
+            self.assertEqual(made.curve.to_json(), curve, case)
+            self.assertEqual(made.to_json(), report, case)
+            self.assertEqual(list(made.rows()), ["x", "y", "sigma", "fit", "residual"])
+
     def test_pictures_are_the_same(self):
         with tempfile.TemporaryDirectory() as folder:
             picture = os.path.join(folder, "p.svg")
