@@ -62,6 +62,7 @@
 #include "batten/make/fair_surface.hpp"
 #include "batten/make/interpolate.hpp"
 #include "batten/make/log_aesthetic.hpp"
+#include "batten/make/natural_spline.hpp"
 #include "batten/make/pseudo_segment.hpp"
 #include "batten/make/pseudo_spline.hpp"
 #include "batten/make/sample.hpp"

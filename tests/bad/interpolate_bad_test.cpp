@@ -6,6 +6,7 @@
 
 #include "batten/base/error.hpp"
 #include "batten/make/interpolate.hpp"
+#include "batten/make/natural_spline.hpp"
 
 namespace batten {
 namespace {
@@ -206,6 +207,43 @@ TEST(BadWeightExponents, AreRefused) {
         options.weight_exponent = exponent;
         EXPECT_EQ(code_of(zigzag, options), "option.range");
     }
+}
+
+std::string message_in_bulk(PointsView points, std::size_t breaks, std::size_t numbers) {
+    std::vector<double> own_breaks(breaks), block(numbers);
+    return message_from([&] { natural_spline(points, own_breaks, block); });
+}
+
+TEST(NaturalSpline, InBulkRefusesWhatNaturalChordRefuses) {
+    const std::vector<std::vector<double>> all{
+        {},
+        {0, 0},
+        {0, 0, 1, 1, 1, 1, 2, 0},
+        {3, 4, 3, 4, 3, 4},
+        {0, 0, nan, 1, 2, 2},
+        {0, 0, 1, inf, 2, 2},
+        {0, 0, 1e-200, 0, 1, 1},
+        {0, 0, 1e200, 0, 1, 1},
+        {-1e308, 0, 1e308, 0, 1, 1},
+        {0, 0, 1, 0, 1, 1e-17, 2, 0},
+    };
+    for (const std::vector<double>& coordinates : all) {
+        const Points points(coordinates, 2);
+        const std::string message = message_of(points, by(Method::natural_chord));
+        EXPECT_NE(message, "none");
+        EXPECT_EQ(message_in_bulk(points, points.size(), 8 * points.size()), message);
+    }
+}
+
+TEST(NaturalSpline, InBulkAsksForThePlaneAndForEnoughMemory) {
+    const auto code = [](PointsView points, std::size_t breaks, std::size_t numbers) {
+        const std::string message = message_in_bulk(points, breaks, numbers);
+        return message.substr(0, message.find(':'));
+    };
+    EXPECT_EQ(code(zigzag, 4, 32), "none");
+    EXPECT_EQ(code(zigzag, 3, 32), "curve.coefficients");
+    EXPECT_EQ(code(zigzag, 4, 24), "curve.coefficients");
+    EXPECT_EQ(code(Points({0, 0, 0, 1, 1, 1}, 3), 2, 16), "points.dimension");
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "batten/make/interpolate.hpp"
+#include "batten/make/natural_spline.hpp"
 #include "batten/make/pseudo_spline.hpp"
 #include "batten/shape/curve.hpp"
 #include "random.hpp"
@@ -154,6 +155,14 @@ TEST(PseudoSpline, OfGentleTurnsAllocatesTheSameForAnyNumberOfPoints) {
     }
     EXPECT_EQ(counts[0], counts[1]);
     EXPECT_LE(counts[0], 4);
+}
+
+TEST(NaturalSpline, AllocatesNothing) {
+    const Points points = gentle_way(2000, 9);
+    std::vector<double> breaks(points.size()), block(8 * points.size());
+    const long before = allocations;
+    natural_spline(points, breaks, block);
+    EXPECT_EQ(allocations, before);
 }
 
 TEST(PseudoSpline, GivesTheSameBitsFromManyThreads) {
