@@ -18,13 +18,12 @@ Points wave(std::size_t n) {
     return points;
 }
 
-std::vector<double> chord_parameters(const Points& points) {
-    std::vector<double> t(points.size());
+void fill_chord_parameters(const Points& points, std::span<double> t) {
+    t[0] = 0;
     for (std::size_t i = 1; i < t.size(); ++i) {
         const double x = points(i, 0) - points(i - 1, 0), y = points(i, 1) - points(i - 1, 1);
         t[i] = t[i - 1] + std::sqrt(x * x + y * y);
     }
-    return t;
 }
 
 std::vector<double> heights(std::size_t n) {

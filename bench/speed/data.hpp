@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,8 @@ namespace batten::bench {
 /// A wave with n points, no two of its chords alike.
 Points wave(std::size_t n);
 
-/// The wave's parameters: from 0 by the chords.
-std::vector<double> chord_parameters(const Points& points);
+/// The wave's parameters, from 0 by the chords, into `t`, one for each point.
+void fill_chord_parameters(const Points& points, std::span<double> t);
 
 /// n heights over 0, 1, 2, ….
 std::vector<double> heights(std::size_t n);

@@ -25,8 +25,9 @@ void by_gsl(benchmark::State& state, std::size_t n) {
     for (std::size_t i = 0; i < n; ++i) x[i] = points(i, 0), y[i] = points(i, 1);
     gsl_spline* const splines[] = {gsl_spline_alloc(gsl_interp_cspline, n),
                                    gsl_spline_alloc(gsl_interp_cspline, n)};
+    std::vector<double> t(n);
     for (auto _ : state) {
-        const std::vector<double> t = chord_parameters(points);
+        fill_chord_parameters(points, t);
         gsl_spline_init(splines[0], t.data(), x.data(), n);
         gsl_spline_init(splines[1], t.data(), y.data(), n);
         benchmark::ClobberMemory();

@@ -37,6 +37,8 @@ TEST(JobBad, OperationsKeysAndEntriesAreNamed) {
     EXPECT_EQ(complaint("{}"), "job.operation: j, operation");
     EXPECT_EQ(complaint(R"([{"operation": "magic"}])"), "job.operation: j step 1, operation");
     EXPECT_EQ(complaint(step(R"(, "colour": "red")")), "job.key: j");
+    EXPECT_EQ(complaint(step(R"(, "": 1)")), "job.key: j");
+    EXPECT_EQ(complaint(R"({"operation": ""})"), "job.operation: j, operation");
     EXPECT_EQ(complaint(step(R"(, "output": 3)")), "job.entry: j, output");
     EXPECT_EQ(complaint(step(R"(, "draw": "")")), "job.entry: j, draw");
     EXPECT_EQ(complaint(step(R"(, "options": [])")), "job.entry: j, options");
@@ -49,6 +51,8 @@ TEST(JobBad, OptionsAreCheckedBeforeAnythingRuns) {
     };
     EXPECT_EQ(option(R"("speed": 3)"), "option.unknown: j, speed");
     EXPECT_EQ(option(R"("method": "magic")"), "option.choice: j, method");
+    EXPECT_EQ(option(R"("closed": "")"), "option.value: j, closed");
+    EXPECT_EQ(option(R"("": 1)"), "option.unknown: j, ");
     EXPECT_EQ(option(R"("closed": "perhaps")"), "option.value: j, closed");
     EXPECT_EQ(option(R"("closed": [true])"), "option.value: j, closed");
     EXPECT_EQ(option(R"("weight_exponent": 1e9)"), "option.range: j, weight_exponent");
