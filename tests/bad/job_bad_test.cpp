@@ -90,6 +90,13 @@ TEST(JobBad, InputsInPlaceAreReadAsFilesAre) {
               "curve.format: j, input, entry format");
 }
 
+TEST(Error, SaysSoWhereANameOrATextIsEmpty) {
+    const Error error("option.value", "", "", "must be a number");
+    EXPECT_STREQ(error.what(), "option.value: an empty name: an empty text: must be a number");
+    EXPECT_EQ(error.place(), "an empty name");
+    EXPECT_EQ(error.value(), "an empty text");
+}
+
 TEST(JobBad, TwoStepsWriteToDifferentPlaces) {
     EXPECT_EQ(complaint(step(R"(, "output": "a", "report": "a")")), "job.output-twice: j");
     EXPECT_EQ(complaint(step(R"(, "output": "a", "report": "b")")), "no error");

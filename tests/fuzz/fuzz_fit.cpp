@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                         TableFormat::text);
         if (table.cells.size() > 200) return 0;
         const Input input{"input.csv", PointsInput{table, {}}};
-        const Outcome outcome = find_operation("fit")->run({&input, 1}, settings);
+        const Outcome outcome = find_operation("fit")->run({&input, 1}, settings, {});
         const Value* delta2 = outcome.report.find("delta2");
         batten::fuzz::require(delta2 && std::isfinite(delta2->number()));
         for (const Value& c : *outcome.report.find("coefficients")->list()) {

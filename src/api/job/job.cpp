@@ -11,9 +11,6 @@
 namespace batten {
 namespace {
 
-/// A text as errors show it.
-std::string shown(const std::string& text) { return text.empty() ? "an empty text" : text; }
-
 Error entry_error(const std::string& place, const std::string& key, const std::string& rule) {
     return Error("job.entry", place + ", " + key, "something else", rule);
 }
@@ -45,7 +42,7 @@ const Operation& operation_at(const Value& map, const std::string& place) {
     for (const Operation& each : operations()) {
         words += (words.empty() ? "" : ", ") + std::string(each.name);
     }
-    throw Error("job.operation", place + ", operation", text ? shown(*text) : "not given",
+    throw Error("job.operation", place + ", operation", text ? *text : "not given",
                 "must be one of " + words);
 }
 
@@ -89,7 +86,7 @@ std::optional<EarlierStep> step_called(const std::string& text, const Step& step
     for (std::size_t i = 0; i < before.size(); ++i) {
         if (before[i].name == text) return EarlierStep{i};
     }
-    throw Error("job.name", step.place, shown(text), "must be a step before this one");
+    throw Error("job.name", step.place, text, "must be a step before this one");
 }
 
 void read_options(Step& step, const Value& options, const std::vector<Step>& before,
@@ -184,7 +181,7 @@ void read_texts(Step& step, const Value& map) {
         if (entry != text_entries.end()) {
             step.*entry->member = text_at(step, key, value);
         } else if (key != "operation" && key != "input" && key != "inputs" && key != "options") {
-            throw Error("job.key", step.place, shown(key),
+            throw Error("job.key", step.place, key,
                         "keys are operation, input, inputs, options, columns, output, format, "
                         "report, draw, name");
         }
@@ -209,7 +206,7 @@ std::set<std::string> names_in(const ValueList& steps, const std::string& place)
     for (const Value& step : steps) {
         const Value* name = step.find("name");
         if (name && name->text() && !names.insert(*name->text()).second) {
-            throw Error("job.name", place, shown(*name->text()), "each step must have a name of its own");
+            throw Error("job.name", place, *name->text(), "each step must have a name of its own");
         }
     }
     return names;
@@ -252,7 +249,7 @@ std::vector<Step> job_of(const Value& tree, const std::string& place) {
 }
 
 Error inside(const Step& step, const Error& error) {
-    return {error.code(), step.place + ", " + error.place(), shown(error.value()), error.rule(),
+    return {error.code(), step.place + ", " + error.place(), error.value(), error.rule(),
             error.rows()};
 }
 
