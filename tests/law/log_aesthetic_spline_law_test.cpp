@@ -111,8 +111,8 @@ TEST(LogAestheticSplines, ThroughPointsOfACircleAreTheCircle) {
         points.push_back(std::vector<double>{2 * std::cos(angle), 2 * std::sin(angle)});
     }
     for (const double alpha : {-1.0, 0.5, 2.0}) {
-        for (const LogAestheticSegment& s :
-             arcs_through(points, with_alpha(alpha, true)).segments()) {
+        const LogAestheticCurve curve = arcs_through(points, with_alpha(alpha, true));
+        for (const LogAestheticSegment& s : curve.segments()) {
             EXPECT_NEAR(s.start_curvature, 0.5, 1e-10);
             EXPECT_NEAR(s.end_curvature, 0.5, 1e-10);
         }
