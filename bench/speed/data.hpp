@@ -8,7 +8,8 @@
 #include "batten/base/points.hpp"
 #include "batten/shape/curve.hpp"
 
-/// What all benchmarks work on; the same numbers in scipy_peers.py.
+/// What all benchmarks work on: scipy_peers.py makes the same points, and random parameters of its
+/// own from the same range.
 namespace batten::bench {
 
 /// A wave with n points, no two of its chords alike.

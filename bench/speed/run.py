@@ -38,7 +38,7 @@ def pinned(*command):
 
 def of_program(program, operation):
     text = pinned(program, f"--benchmark_filter=^{operation}/", "--benchmark_format=json",
-                  "--benchmark_min_time=0.1")
+                  "--benchmark_min_time=0.1", "--benchmark_min_warmup_time=0.05")
     for each in json.loads(text)["benchmarks"]:
         if not each.get("error_occurred"):
             yield each["name"], 1e9 / each["items_per_second"]
@@ -70,7 +70,7 @@ def table(operation, medians):
              if name.split("/")[0] == operation}
     sizes = sorted({int(size) for _, size in found})
     peers = [peer for peer in dict.fromkeys(peer for peer, _ in found) if peer != "batten"]
-    lines = ["| n | Batten | " + "".join(f"{peer} | ratio | " for peer in peers),
+    lines = ["| n | Batten |" + "".join(f" {peer} | ratio |" for peer in peers),
              "|" + "---:|" * (2 + 2 * len(peers))]
     for size in sizes:
         ours = found.get(("batten", str(size)))
