@@ -6,12 +6,13 @@
 #include "batten/base/error.hpp"
 #include "batten/make/alpha.hpp"
 #include "batten/make/fair.hpp"
+#include "errors.hpp"
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace fair_bad_test {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using testing::nan;
 
 Points arc(std::size_t count) {
     Points points(count, 2);
@@ -23,12 +24,7 @@ Points arc(std::size_t count) {
 }
 
 std::string code_of(const Points& points, const FairOptions& options = {}) {
-    try {
-        fair(points, options);
-    } catch (const Error& error) {
-        return error.code();
-    }
-    return "none";
+    return testing::code_of([&] { fair(points, options); });
 }
 
 TEST(Fairing, RefusesPointsThatAreNoRow) {
@@ -121,17 +117,12 @@ TEST(Fairing, TakesRingsOfFivePointsAndZigzags) {
 
 TEST(AlphaFromPoints, RefusesTooFewPoints) {
     const auto code = [](const Points& points) {
-        try {
-            alpha_of(points);
-        } catch (const Error& error) {
-            return error.code();
-        }
-        return std::string("none");
+        return testing::code_of([&] { alpha_of(points); });
     };
     EXPECT_EQ(code(arc(7)), "points.too-few");
     EXPECT_EQ(code(arc(8)), "none");
     EXPECT_EQ(code(Points(9, 3)), "points.dimension");
 }
 
-}  // namespace
+}  // namespace fair_bad_test
 }  // namespace batten

@@ -7,29 +7,21 @@
 #include "batten/base/error.hpp"
 #include "batten/make/interpolate.hpp"
 #include "batten/make/natural_spline.hpp"
+#include "errors.hpp"
 
 namespace batten {
-namespace {
+namespace interpolate_bad_test {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double inf = std::numeric_limits<double>::infinity();
+using testing::complaint_of;
+using testing::inf;
+using testing::nan;
 
 const Points zigzag({0, 0, 1, 1, 2, 0, 3, 1}, 2);
 
-template <class F>
-std::string message_from(F&& f) {
-    try {
-        f();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "none";
-}
-
 /// `code: place: value: rule` of the error, or "none"; the same with and without a report.
 std::string message_of(PointsView points, const InterpolateOptions& options) {
-    const std::string message = message_from([&] { curve_through(points, options); });
-    EXPECT_EQ(message, message_from([&] { interpolate(points, options); }));
+    const std::string message = complaint_of([&] { curve_through(points, options); });
+    EXPECT_EQ(message, complaint_of([&] { interpolate(points, options); }));
     return message;
 }
 
@@ -211,7 +203,7 @@ TEST(BadWeightExponents, AreRefused) {
 
 std::string message_in_bulk(PointsView points, std::size_t breaks, std::size_t numbers) {
     std::vector<double> own_breaks(breaks), block(numbers);
-    return message_from([&] { natural_spline(points, own_breaks, block); });
+    return complaint_of([&] { natural_spline(points, own_breaks, block); });
 }
 
 TEST(NaturalSpline, InBulkRefusesWhatNaturalChordRefuses) {
@@ -246,5 +238,5 @@ TEST(NaturalSpline, InBulkAsksForThePlaneAndForEnoughMemory) {
     EXPECT_EQ(code(Points({0, 0, 0, 1, 1, 1}, 3), 2, 16), "points.dimension");
 }
 
-}  // namespace
+}  // namespace interpolate_bad_test
 }  // namespace batten

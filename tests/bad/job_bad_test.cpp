@@ -3,21 +3,17 @@
 #include "batten/api/argument.hpp"
 #include "batten/api/job.hpp"
 #include "batten/io/json.hpp"
+#include "errors.hpp"
 #include "shared.hpp"
 
 namespace batten {
-namespace {
+namespace job_bad_test {
 
 /// `code: place` of what is wrong with a job.
 std::string complaint(const std::string& text) {
-    try {
-        job_of(parse_json(text, "j"), "j");
-    } catch (const Error& error) {
-        EXPECT_FALSE(error.value().empty());
-        EXPECT_FALSE(error.rule().empty());
-        return error.code() + ": " + error.place();
-    }
-    return "no error";
+    return testing::thrown_by(
+        [&] { job_of(parse_json(text, "j"), "j"); },
+        [](const Error& error) { return error.code() + ": " + error.place(); });
 }
 
 /// A job whose only step has these entries more.
@@ -59,15 +55,15 @@ TEST(JobBad, OptionsAreCheckedBeforeAnythingRuns) {
     EXPECT_EQ(option(R"("weight_exponent": {"a": 1})"), "option.value: j, weight_exponent");
     EXPECT_EQ(option(R"("tangent": [[0, 90]])"), "option.value: j, tangent");
     EXPECT_EQ(option(R"("weight_exponent": null, "corner": [1, 2], "tangent": ["0:90"])"),
-              "no error");
+              "none");
 }
 
 TEST(JobBad, StepsTakeWhatStepsBeforeThemMake) {
     const std::string first = R"([{"name": "a", "operation": "interpolate", "input": "p.csv"}, )";
     const auto second = [&](const std::string& entries) { return complaint(first + entries + "]"); };
-    EXPECT_EQ(second(R"({"operation": "measure", "input": "a"})"), "no error");
+    EXPECT_EQ(second(R"({"operation": "measure", "input": "a"})"), "none");
     EXPECT_EQ(second(R"({"operation": "compare", "input": "a", "options": {"to": "a"}})"),
-              "no error");
+              "none");
     EXPECT_EQ(second(R"({"operation": "densify", "input": "a"})"), "job.input: j step 2, input");
     EXPECT_EQ(second(R"({"name": "a", "operation": "measure", "input": "a"})"), "job.name: j");
     EXPECT_EQ(second(R"({"name": "b", "operation": "measure", "input": "b"})"),
@@ -83,7 +79,7 @@ TEST(JobBad, InputsInPlaceAreReadAsFilesAre) {
     const auto input = [](const std::string& value) {
         return complaint(R"({"operation": "interpolate", "input": )" + value + "}");
     };
-    EXPECT_EQ(input("[[0, 0], [1, 1]]"), "no error");
+    EXPECT_EQ(input("[[0, 0], [1, 1]]"), "none");
     EXPECT_EQ(input("[[0, 0], [1]]"), "table.ragged: j, input row 2");
     EXPECT_EQ(input("{}"), "job.input: j, input");
     EXPECT_EQ(complaint(R"({"operation": "measure", "input": {}})"),
@@ -99,17 +95,13 @@ TEST(Error, SaysSoWhereANameOrATextIsEmpty) {
 
 TEST(JobBad, TwoStepsWriteToDifferentPlaces) {
     EXPECT_EQ(complaint(step(R"(, "output": "a", "report": "a")")), "job.output-twice: j");
-    EXPECT_EQ(complaint(step(R"(, "output": "a", "report": "b")")), "no error");
+    EXPECT_EQ(complaint(step(R"(, "output": "a", "report": "b")")), "none");
 }
 
 TEST(JobBad, AReportIsNoInput) {
-    try {
-        input_of(Output(), "a", *find_operation("measure"));
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_EQ(error.code(), "job.input");
-    }
+    EXPECT_EQ(testing::code_of([] { input_of(Output(), "a", *find_operation("measure")); }),
+              "job.input");
 }
 
-}  // namespace
+}  // namespace job_bad_test
 }  // namespace batten

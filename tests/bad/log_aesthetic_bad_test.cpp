@@ -6,21 +6,13 @@
 #include "batten/io/curve_file.hpp"
 #include "batten/make/log_aesthetic.hpp"
 #include "batten/shape/log_aesthetic_space.hpp"
+#include "errors.hpp"
 
 namespace batten {
-namespace {
+namespace log_aesthetic_bad_test {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-template <class Work>
-std::string code_of(Work work) {
-    try {
-        work();
-    } catch (const Error& error) {
-        return error.code();
-    }
-    return "none";
-}
+using testing::code_of;
+using testing::nan;
 
 std::string code_of_segment(std::vector<double> points, double alpha = 0.5) {
     return code_of([&] { log_aesthetic({points, alpha}); });
@@ -109,5 +101,5 @@ TEST(LogAestheticSpaceCurve, RefusesRadiiThatVanish) {
     EXPECT_EQ(code({1, nan, 1}, 1), "log-aesthetic.pieces");
 }
 
-}  // namespace
+}  // namespace log_aesthetic_bad_test
 }  // namespace batten

@@ -12,7 +12,7 @@
 #include "shared_json.hpp"
 
 namespace batten {
-namespace {
+namespace arc_length_map_test {
 
 using namespace batten::testing;
 
@@ -122,5 +122,5 @@ TEST(ArcLengthMap, AnswersManyAtOnceWithTheSameBits) {
     for (std::size_t i = 0; i < s.size(); ++i) EXPECT_EQ(t[i], map.t_of(s[i])) << i;
 }
 
-}  // namespace
+}  // namespace arc_length_map_test
 }  // namespace batten

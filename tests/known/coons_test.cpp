@@ -6,10 +6,11 @@
 #include "batten/base/error.hpp"
 #include "batten/make/log_aesthetic.hpp"
 #include "batten/measure/surface.hpp"
+#include "errors.hpp"
 #include "shared_json.hpp"
 
 namespace batten {
-namespace {
+namespace coons_test {
 
 constexpr const char* reference = "reference/log-aesthetic/coons_reference.json";
 
@@ -107,13 +108,8 @@ TEST(CoonsPatch, RefusesEdgesThatDoNotMeet) {
     const Curve c0 = upright(edge(), 1, 0, {0, 0, 0}), c1 = upright(edge(), 1, 0, {0, 1, 0});
     const Curve d0 = line(c0(0), c1(0)), d1 = line(c0(c0.domain().hi), c1(c1.domain().hi));
     EXPECT_NO_THROW(CoonsPatch(c0, c1, d0, d1));
-    try {
-        CoonsPatch(c0, c1, d1, d0);
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_EQ(error.code(), "coons.corners");
-    }
+    EXPECT_EQ(testing::code_of([&] { CoonsPatch(c0, c1, d1, d0); }), "coons.corners");
 }
 
-}  // namespace
+}  // namespace coons_test
 }  // namespace batten

@@ -11,7 +11,7 @@
 #include "fair_samples.hpp"
 
 namespace batten {
-namespace {
+namespace fair_alpha_test {
 
 /// What 100 seeds tell about one alpha: a quarter turn, radii 1 to 4, 100 points, noise in lengths.
 struct Tally {
@@ -106,5 +106,5 @@ TEST(Fairing, FindsAlphaWhereAsked) {
     EXPECT_NE(vague.report.notes.back().find("not identifiable"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace fair_alpha_test
 }  // namespace batten

@@ -11,7 +11,7 @@
 #include "shared.hpp"
 
 namespace batten {
-namespace {
+namespace fair_filter_test {
 
 constexpr const char* figure_2 = "reference/log-aesthetic/fig2_seeds.csv";
 
@@ -130,5 +130,5 @@ TEST(FairFilter, HoldsInflectionsAndExtremaWhereAskedToSplit) {
     EXPECT_LT(off(split), 0.1 * off(whole));
 }
 
-}  // namespace
+}  // namespace fair_filter_test
 }  // namespace batten

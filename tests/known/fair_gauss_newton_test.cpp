@@ -11,7 +11,7 @@
 #include "fair_samples.hpp"
 
 namespace batten {
-namespace {
+namespace fair_gauss_newton_test {
 
 FairOptions with(double alpha, double sigma) {
     FairOptions options;
@@ -118,5 +118,5 @@ TEST(GaussNewton, MakesAChainOfArcsWithinTheTolerance) {
     }
 }
 
-}  // namespace
+}  // namespace fair_gauss_newton_test
 }  // namespace batten

@@ -5,10 +5,11 @@
 #include "batten/base/error.hpp"
 #include "batten/make/fair.hpp"
 #include "batten/shape/log_aesthetic_space.hpp"
+#include "errors.hpp"
 #include "fair_samples.hpp"
 
 namespace batten {
-namespace {
+namespace fair_space_test {
 
 /// rho = 0.8 s + 0.6, mu = 0.5 s + 0.7 along a length of 2.
 LogAestheticSpaceCurve exact_curve() { return {{1, 0.8, 0.6}, {1, 0.5, 0.7}, 2}; }
@@ -81,12 +82,7 @@ TEST(FairingInSpace, SaysWhatIsForThePlaneOnly) {
     const auto code = [&](auto change) {
         FairOptions options;
         change(options);
-        try {
-            fair(points, options);
-        } catch (const Error& error) {
-            return error.code();
-        }
-        return std::string("none");
+        return testing::code_of([&] { fair(points, options); });
     };
     EXPECT_EQ(code([](FairOptions& o) { o.closed = true; }), "fair.not-in-space");
     EXPECT_EQ(code([](FairOptions& o) { o.engine = FairEngine::filter; }), "fair.not-in-space");
@@ -95,5 +91,5 @@ TEST(FairingInSpace, SaysWhatIsForThePlaneOnly) {
     EXPECT_EQ(code([](FairOptions&) {}), "none");
 }
 
-}  // namespace
+}  // namespace fair_space_test
 }  // namespace batten

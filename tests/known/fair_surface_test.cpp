@@ -5,10 +5,11 @@
 
 #include "batten/base/error.hpp"
 #include "batten/make/fair_surface.hpp"
+#include "errors.hpp"
 #include "numpy_random.hpp"
 
 namespace batten {
-namespace {
+namespace fair_surface_test {
 
 constexpr std::size_t n = 33;
 constexpr double h = 0.0375;
@@ -113,12 +114,7 @@ TEST(FairSurface, KeepsTheBorderAsAskedAndScalesExactly) {
 
 TEST(FairSurface, RefusesGridsThatAreNoSurface) {
     const auto code = [](const Grid& grid, const FairSurfaceOptions& options = {}) {
-        try {
-            fair_surface(grid, options);
-        } catch (const Error& error) {
-            return error.code();
-        }
-        return std::string("none");
+        return testing::code_of([&] { fair_surface(grid, options); });
     };
     EXPECT_EQ(code(Grid(9, 9, 1)), "grid.dimension");
     EXPECT_EQ(code(Grid(6, 9, 3)), "grid.too-small");
@@ -133,5 +129,5 @@ TEST(FairSurface, RefusesGridsThatAreNoSurface) {
     EXPECT_EQ(code(surface(Kind::sphere), options), "option.range");
 }
 
-}  // namespace
+}  // namespace fair_surface_test
 }  // namespace batten

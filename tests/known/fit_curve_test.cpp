@@ -7,7 +7,7 @@
 
 /// Parametric least squares: known shapes.
 namespace batten {
-namespace {
+namespace fit_curve_test {
 
 using testing::Noise;
 
@@ -96,5 +96,5 @@ TEST(FitCurve, CountsEveryCoordinateAsASample) {
     EXPECT_EQ(made.report.sigma_source, SigmaSource::estimated);
 }
 
-}  // namespace
+}  // namespace fit_curve_test
 }  // namespace batten

@@ -3,7 +3,7 @@
 
 /// The reference fits, computed by dense QR in other hands.
 namespace batten {
-namespace {
+namespace fit_path_test {
 
 using testing::fit_table;
 
@@ -100,5 +100,5 @@ TEST(FitByInsertion, FollowsTheTitaniumPath) {
     EXPECT_EQ(whole.report.breaks, history.back()["knots"].get<std::vector<double>>());
 }
 
-}  // namespace
+}  // namespace fit_path_test
 }  // namespace batten

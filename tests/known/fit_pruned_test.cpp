@@ -4,7 +4,7 @@
 
 /// Pruned knots: where data jump, knots stack up; where they are smooth, few are left.
 namespace batten {
-namespace {
+namespace fit_pruned_test {
 
 using testing::FitTable;
 using testing::Noise;
@@ -93,5 +93,5 @@ TEST(PrunedKnots, AreFoundWithoutKnownErrorsAndBesideOutliers) {
     EXPECT_FALSE(saved.report.rejected.empty());
 }
 
-}  // namespace
+}  // namespace fit_pruned_test
 }  // namespace batten

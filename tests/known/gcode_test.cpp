@@ -12,7 +12,7 @@
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace gcode_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -220,5 +220,5 @@ TEST(Gcode, FeedsKeepTheLimitsOfTheFastestMotion) {
     EXPECT_NEAR(moves[5].feed, moves[1].feed, 1e-2);
 }
 
-}  // namespace
+}  // namespace gcode_test
 }  // namespace batten

@@ -9,7 +9,7 @@
 #include "shared.hpp"
 
 namespace batten {
-namespace {
+namespace interpolate_windows_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -99,5 +99,5 @@ TEST(ArcChainMethod, KeepsThePartAskedFor) {
     for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(part->arc(i), whole.arc(i + 1));
 }
 
-}  // namespace
+}  // namespace interpolate_windows_test
 }  // namespace batten

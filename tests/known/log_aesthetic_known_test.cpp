@@ -11,7 +11,7 @@
 #include "shared_json.hpp"
 
 namespace batten {
-namespace {
+namespace log_aesthetic_known_test {
 
 using Complex = std::complex<double>;
 
@@ -155,5 +155,5 @@ TEST(LogAestheticSpaceCurves, EndWhereTheReferenceSays) {
     }
 }
 
-}  // namespace
+}  // namespace log_aesthetic_known_test
 }  // namespace batten

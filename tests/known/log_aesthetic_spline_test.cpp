@@ -9,7 +9,7 @@
 #include "shared_json.hpp"
 
 namespace batten {
-namespace {
+namespace log_aesthetic_spline_test {
 
 constexpr const char* sets_file = "reference/pseudo-spline/quality_sets.json";
 constexpr const char* quality_file = "reference/pseudo-spline/quality.json";
@@ -57,5 +57,5 @@ TEST(LogAestheticSplines, OfAlphaMinusOneAreNearlyAsFairAsCanBe) {
     EXPECT_GE(compared, 7);
 }
 
-}  // namespace
+}  // namespace log_aesthetic_spline_test
 }  // namespace batten

@@ -8,7 +8,7 @@
 #include "shared.hpp"
 
 namespace batten {
-namespace {
+namespace spline_function_test {
 
 /// x^3 - 2 x on [-2, 3] as a cubic spline with some knots: coefficients by the blossom.
 SplineFunction cubic() {
@@ -120,5 +120,5 @@ TEST(SplineFunction, WithAJumpHasADerivativeOnBothSides) {
     EXPECT_NEAR(integral(s, {0, 2}), 1.0 / 3 + 3.5, 1e-14);
 }
 
-}  // namespace
+}  // namespace spline_function_test
 }  // namespace batten

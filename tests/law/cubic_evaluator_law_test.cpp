@@ -37,7 +37,7 @@ void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace batten {
-namespace {
+namespace cubic_evaluator_law_test {
 
 /// Pieces of very different lengths.
 PiecewiseCubic uneven(int dim, int pieces, unsigned seed) {
@@ -182,5 +182,5 @@ TEST(PseudoSpline, GivesTheSameBitsFromManyThreads) {
     for (const double length : lengths) EXPECT_EQ(length, alone);
 }
 
-}  // namespace
+}  // namespace cubic_evaluator_law_test
 }  // namespace batten

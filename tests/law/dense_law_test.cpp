@@ -8,7 +8,7 @@
 
 /// Small dense problems: what the solutions must fulfil.
 namespace batten::num {
-namespace {
+namespace dense_law_test {
 
 /// G^T G + shift: symmetric, its eigenvalues at least `shift`.
 SymmetricMatrix random_matrix(testing::Random& random, std::size_t n, double shift) {
@@ -117,5 +117,5 @@ TEST(LeastDistance, SaysWhereThereIsNone) {
     EXPECT_TRUE(least_distance(g, std::vector<double>{1, -2}).has_value());
 }
 
-}  // namespace
+}  // namespace dense_law_test
 }  // namespace batten::num

@@ -8,7 +8,7 @@
 #include "fair_samples.hpp"
 
 namespace batten {
-namespace {
+namespace fair_law_test {
 
 Points noisy_wave(unsigned seed, double sigma) {
     Points points(0, 2);
@@ -159,5 +159,5 @@ TEST(Fairing, NeedsNoSmallSpacingForLongWaves) {
     EXPECT_LT(testing::distance_from(arc, some), 7e-5);  // 0.035 sigma is ideal
 }
 
-}  // namespace
+}  // namespace fair_law_test
 }  // namespace batten

@@ -3,7 +3,7 @@
 
 /// What holds for every fit.
 namespace batten {
-namespace {
+namespace fit_law_test {
 
 using testing::FitTable;
 using testing::Noise;
@@ -235,5 +235,5 @@ TEST(FitByInsertion, GivesTheSamePathFromATreeAndFromSamples) {
     }
 }
 
-}  // namespace
+}  // namespace fit_law_test
 }  // namespace batten

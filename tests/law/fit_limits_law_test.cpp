@@ -4,7 +4,7 @@
 
 /// Fits within limits: the limits are kept, and nothing within them is better.
 namespace batten {
-namespace {
+namespace fit_limits_law_test {
 
 using testing::FitTable;
 using testing::Noise;
@@ -167,5 +167,5 @@ TEST(FitLimits, ScaleExactlyWithTheOrdinates) {
     }
 }
 
-}  // namespace
+}  // namespace fit_limits_law_test
 }  // namespace batten

@@ -17,7 +17,7 @@
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace io_roundtrip_test {
 
 using testing::Random;
 
@@ -209,5 +209,5 @@ TEST(WrittenArcs, ReadBackToTheSameChain) {
     }
 }
 
-}  // namespace
+}  // namespace io_roundtrip_test
 }  // namespace batten

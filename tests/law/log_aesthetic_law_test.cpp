@@ -10,7 +10,7 @@
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace log_aesthetic_law_test {
 
 /// A random segment that is drawable, of a random alpha.
 LogAestheticSegment any_segment(testing::Random& random) {
@@ -120,5 +120,5 @@ TEST(LogAestheticSpaceCurves, HaveTheDerivativesOfTheirValues) {
     }
 }
 
-}  // namespace
+}  // namespace log_aesthetic_law_test
 }  // namespace batten

@@ -8,7 +8,7 @@
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace log_aesthetic_spline_law_test {
 
 InterpolateOptions with_alpha(double alpha, bool closed = false) {
     InterpolateOptions options;
@@ -155,5 +155,5 @@ TEST(LogAestheticSplines, TakeCornersAndTangents) {
     EXPECT_EQ(part.curve.domain().lo, 0);
 }
 
-}  // namespace
+}  // namespace log_aesthetic_spline_law_test
 }  // namespace batten

@@ -9,7 +9,7 @@
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace natural_spline_law_test {
 
 PiecewiseCubic in_bulk(PointsView points) {
     std::vector<double> breaks(points.size()), block(8 * points.size());
@@ -58,5 +58,5 @@ TEST(NaturalSpline, ScalesWithThePointsExactly) {
     }
 }
 
-}  // namespace
+}  // namespace natural_spline_law_test
 }  // namespace batten

@@ -10,7 +10,7 @@
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace sample_law_test {
 
 using namespace batten::testing;
 
@@ -261,5 +261,5 @@ TEST(SampleLaw, SpacingIsNeverMoreThanAskedForAndTimesAreFrames) {
     for (std::size_t i = 0; i <= 50; ++i) EXPECT_NEAR(frames.rows(i, 1), static_cast<double>(i) / 25, 1e-15);
 }
 
-}  // namespace
+}  // namespace sample_law_test
 }  // namespace batten

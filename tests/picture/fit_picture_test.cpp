@@ -6,12 +6,13 @@
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
 #include "batten/io/draw/gnuplot.hpp"
+#include "errors.hpp"
 #include "pictures.hpp"
 #include "shared.hpp"
 
 // Pictures of fits, and of filled regions, and what gnuplot is told.
 namespace batten::testing {
-namespace {
+namespace fit_picture_test {
 
 /// A bell on a slope, with one outlier.
 std::string bell_table() {
@@ -71,15 +72,10 @@ TEST(Gnuplot, GetsCaptionsThatCannotLeaveTheirQuotes) {
 }
 
 TEST(Gnuplot, IsNotAskedForWhatItCannotDraw) {
-    const auto code = [](const Layer& layer) -> std::string {
+    const auto code = [](const Layer& layer) {
         Drawing drawing;
         drawing.add(layer);
-        try {
-            gnuplot_script(drawing, ChartFormat::png);
-        } catch (const Error& error) {
-            return error.code();
-        }
-        return "none";
+        return code_of([&] { gnuplot_script(drawing, ChartFormat::png); });
     };
     EXPECT_EQ(code(CombLayer{near_circle(1)}), "drawing.gnuplot");
     EXPECT_EQ(code(ControlPolygonLayer{near_circle(1)}), "drawing.gnuplot");
@@ -89,5 +85,5 @@ TEST(Gnuplot, IsNotAskedForWhatItCannotDraw) {
     EXPECT_EQ(code(TicksLayer{near_circle(1), {0}}), "none");
 }
 
-}  // namespace
+}  // namespace fit_picture_test
 }  // namespace batten::testing

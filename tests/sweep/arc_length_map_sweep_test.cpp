@@ -8,7 +8,7 @@
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace arc_length_map_sweep_test {
 
 using namespace batten::testing;
 
@@ -72,5 +72,5 @@ TEST(ArcLengthMapSweep, TakesAbsoluteTolerancesInDataUnits) {
     }
 }
 
-}  // namespace
+}  // namespace arc_length_map_sweep_test
 }  // namespace batten

@@ -4,7 +4,7 @@
 
 /// Are 95 % bands 95 % bands, and do the noisy fits come as near the truth as promised?
 namespace batten {
-namespace {
+namespace fit_band_test {
 
 using testing::FitTable;
 using testing::Noise;
@@ -131,5 +131,5 @@ TEST(FitOfNoisyData, IsSavedFromOutliersByRejection) {
     EXPECT_LT(monte_carlo(Robust::tukey, true, 30).distance, 0.75);
 }
 
-}  // namespace
+}  // namespace fit_band_test
 }  // namespace batten

@@ -4,7 +4,7 @@
 
 /// Few knots to a tolerance: it is kept, and tighter ones cost more.
 namespace batten {
-namespace {
+namespace fit_tolerance_test {
 
 testing::FitTable exact(double (*f)(double), int count) {
     testing::FitTable table;
@@ -77,5 +77,5 @@ TEST(FitToATolerance, SaysWhereItCannotBeKept) {
     EXPECT_EQ(fit(table.view(), options).report.status, Status::not_met);
 }
 
-}  // namespace
+}  // namespace fit_tolerance_test
 }  // namespace batten

@@ -16,7 +16,7 @@
 
 // tests/versus/read_dxf.py compares, with python3-ezdxf.
 namespace batten {
-namespace {
+namespace dxf_ezdxf_test {
 
 using nlohmann::json;
 
@@ -136,5 +136,5 @@ TEST(Dxf, IsReadBackAsMeantAndPassesTheAudit) {
     EXPECT_EQ(status, 0);
 }
 
-}  // namespace
+}  // namespace dxf_ezdxf_test
 }  // namespace batten

@@ -2,7 +2,7 @@
 
 /// Against dense Householder QR in extended precision.
 namespace batten {
-namespace {
+namespace fit_versus_test {
 
 using Vector = std::vector<long double>;
 using testing::FitTable;
@@ -137,5 +137,5 @@ TEST(FitAgainstDenseQr, AgreesWithDataHuggingTheEdgeOfASupport) {
     }
 }
 
-}  // namespace
+}  // namespace fit_versus_test
 }  // namespace batten

@@ -13,7 +13,7 @@
 
 // cases/spline_reference.json is made by tools/make_spline_reference.py.
 namespace batten {
-namespace {
+namespace interpolate_scipy_test {
 
 template <NamedEnum Enum>
 Enum word_of(const nlohmann::json& name) {
@@ -87,5 +87,5 @@ TEST(Interpolate, AgreesWithSciPyOnSplinesAndPchip) {
     }
 }
 
-}  // namespace
+}  // namespace interpolate_scipy_test
 }  // namespace batten
