@@ -5,6 +5,7 @@
 
 #include "batten/base/error.hpp"
 #include "help.hpp"
+#include "usage.hpp"
 #include "vocabulary.hpp"
 
 namespace batten::cli {
@@ -116,16 +117,16 @@ Parsed parse(int argc, const char* const* argv) {
         for (std::size_t k = 0; k < operation.fields.size(); ++k) add_field(verbs[i], k);
     }
     add_run(app, command);
+    const std::vector<std::string> words = written_out(argc, argv);
     try {
-        std::vector<std::string> words = written_out(argc, argv);
-        std::reverse(words.begin(), words.end());  // as CLI11 takes them
-        app.parse(words);
+        // CLI11 takes them from the end.
+        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
     } catch (const CLI::ParseError& stop) {
         if (stop.get_exit_code() == 0) {
             parsed.exit_status = app.exit(stop);
             return parsed;
         }
-        throw Error("usage", "command line", argc > 1 ? argv[1] : "nothing", stop.what());
+        throw usage_error(app, stop, words);
     }
     for (const Typed& typed : verbs) {
         if (!typed.verb->parsed()) continue;

@@ -22,6 +22,7 @@ struct Command {
     std::string columns;  ///< --columns, empty for the first two or three
     std::string progress = "auto";
     bool quiet = false;
+    std::string step;           ///< what errors call a job's step, empty outside a job
     std::string job;            ///< the job file of `run`, which has no operation
     bool keeps_result = false;  ///< a step before a job's last writes no output but what it names
 };
@@ -33,7 +34,7 @@ struct Parsed {
     bool runs() const { return exit_status < 0; }
 };
 
-/// Throws `usage` errors as `Error`.
+/// Throws what usage_error tells.
 Parsed parse(int argc, const char* const* argv);
 
 }  // namespace batten::cli

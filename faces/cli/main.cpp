@@ -7,6 +7,7 @@
 #include "exit_status.hpp"
 #include "inputs.hpp"
 #include "outputs.hpp"
+#include "places.hpp"
 #include "progress_line.hpp"
 #include "run_job.hpp"
 #include "summary.hpp"
@@ -23,6 +24,7 @@ batten::Error as_typed(const batten::Error& error) {
 
 int run_operation(const batten::cli::Command& command) {
     using namespace batten::cli;
+    require_places({&command});
     const std::vector<batten::Input> inputs = read_inputs(command);
     const std::vector<batten::Setting> settings = read_settings(command, inputs);
     const batten::Outcome outcome = [&] {
@@ -30,7 +32,7 @@ int run_operation(const batten::cli::Command& command) {
         return command.operation->run(inputs, settings, line.progress());
     }();
 
-    for (const Written& written : render(command, outcome)) write(written);
+    write(render(command, outcome));
     if (!command.quiet) std::cerr << summary(*command.operation, outcome);
     return outcome.status == batten::Status::met ? done : missed;
 }

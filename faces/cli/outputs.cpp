@@ -2,8 +2,6 @@
 
 #include <unistd.h>
 
-#include <iostream>
-
 #include "batten/base/error.hpp"
 #include "batten/io/curve_file.hpp"
 #include "batten/io/dxf.hpp"
@@ -48,7 +46,8 @@ std::string text_of(const Curve& curve, const std::string& format, const Outcome
     if (format == "svg") return svg_picture(curve);
     if (format == "dxf") return dxf(curve);
     if (format == "csv") return csv_samples(curve, sample_parameters(curve));
-    refuse_format(format, with_forms("json, svg, csv, dxf", outcome));
+    refuse_format(format, with_forms(outcome.rows ? "json, svg, csv, npy, dxf"
+                                                  : "json, svg, csv, dxf", outcome));
 }
 
 std::string text_of(const Rows& rows, const std::string& format) {
@@ -101,8 +100,8 @@ bool writes_to_standard_output(const Command& command) {
 
 }  // namespace
 
-std::vector<Written> render(const Command& command, const Outcome& outcome) {
-    std::vector<Written> all;
+std::vector<FileToWrite> render(const Command& command, const Outcome& outcome) {
+    std::vector<FileToWrite> all;
     const bool to_standard = writes_to_standard_output(command);
     // What was asked for does not exist: the report says so, and no file does.
     const bool is_missing = command.operation->output != OutputKind::report &&
@@ -121,14 +120,6 @@ std::vector<Written> render(const Command& command, const Outcome& outcome) {
     }
     if (!command.report.empty()) all.push_back({command.report, report_text(command, outcome)});
     return all;
-}
-
-void write(const Written& written) {
-    if (written.path == "-") {
-        std::cout << written.text << std::flush;
-    } else {
-        write_file(written.path, written.text);
-    }
 }
 
 }  // namespace batten::cli

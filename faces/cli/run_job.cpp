@@ -11,6 +11,7 @@
 #include "exit_status.hpp"
 #include "inputs.hpp"
 #include "outputs.hpp"
+#include "places.hpp"
 #include "progress_line.hpp"
 #include "summary.hpp"
 
@@ -38,6 +39,16 @@ auto inside_step(const Step& step, Work work) -> decltype(work()) {
 Command command_of(const Step& step, const Command& run) {
     Command command;
     command.operation = step.operation;
+    command.step = step.place;
+    command.job = run.job;
+    for (const StepInput& input : step.inputs) {
+        if (const auto* path = std::get_if<std::string>(&input)) command.inputs.push_back(*path);
+    }
+    for (const auto& [field, option] : step.options) {
+        const Value* value = std::get_if<Value>(&option);
+        const std::string* text = value ? value->text() : nullptr;
+        if (text) command.options.emplace_back(field, *text);
+    }
     command.output = step.output;
     command.format = step.format;
     command.report = step.report;
@@ -127,19 +138,22 @@ int run_job(const Command& command) {
         prepared.push_back(inside_step(step, [&] { return prepare(step, command); }));
         prepared.back().command.keeps_result = prepared.size() < steps.size();
     }
+    std::vector<const Command*> commands;
+    for (const Prepared& each : prepared) commands.push_back(&each.command);
+    require_places(commands);
     std::vector<Outcome> outcomes;
     for (const Prepared& each : prepared) {
         outcomes.push_back(
             inside_step(*each.step, [&] { return outcome_of(each, steps, outcomes); }));
     }
-    std::vector<Written> files;
+    std::vector<FileToWrite> files;
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        for (Written& file : inside_step(
+        for (FileToWrite& file : inside_step(
                  steps[i], [&] { return render(prepared[i].command, outcomes[i]); })) {
             files.push_back(std::move(file));
         }
     }
-    for (const Written& file : files) write(file);
+    write(files);
     int status = done;
     for (std::size_t i = 0; i < steps.size(); ++i) {
         if (!command.quiet) std::cerr << summary(*steps[i].operation, outcomes[i]);

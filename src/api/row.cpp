@@ -20,14 +20,16 @@ const Input& single(std::span<const Input> inputs) {
 }  // namespace
 
 const Curve& curve_input(std::span<const Input> inputs) {
-    const Curve* curve = std::get_if<Curve>(&single(inputs).content);
-    if (!curve) throw Error("input.kind", "input", "points", "this operation takes a curve");
+    const Input& input = single(inputs);
+    const Curve* curve = std::get_if<Curve>(&input.content);
+    if (!curve) throw Error("input.kind", input.name, "points", "this operation takes a curve");
     return *curve;
 }
 
 const PointsInput& points_input(std::span<const Input> inputs) {
-    const PointsInput* points = std::get_if<PointsInput>(&single(inputs).content);
-    if (!points) throw Error("input.kind", "input", "a curve", "this operation takes points");
+    const Input& input = single(inputs);
+    const PointsInput* points = std::get_if<PointsInput>(&input.content);
+    if (!points) throw Error("input.kind", input.name, "a curve", "this operation takes points");
     return *points;
 }
 

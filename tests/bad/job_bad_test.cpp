@@ -94,7 +94,7 @@ TEST(Error, SaysSoWhereANameOrATextIsEmpty) {
 }
 
 TEST(JobBad, TwoStepsWriteToDifferentPlaces) {
-    EXPECT_EQ(complaint(step(R"(, "output": "a", "report": "a")")), "job.output-twice: j");
+    EXPECT_EQ(complaint(step(R"(, "output": "a", "report": "a")")), "output.twice: j");
     EXPECT_EQ(complaint(step(R"(, "output": "a", "report": "b")")), "none");
 }
 

@@ -178,9 +178,9 @@ TEST(BadAerofoil, WithWrongCountsIsRefused) {
 TEST(BadJsonPoints, AreNamedByTheirRow) {
     const auto json = [](const std::string& text) { return points_complaint("p.json", text); };
     const std::string rule = "points are a list of lists of numbers: [[x, y], ...]";
-    EXPECT_EQ(json(R"({"points": [[0, 1]]})"), "table.json: p.json: a map: " + rule);
-    EXPECT_EQ(json("[0, 1]"), "table.json: p.json row 1: a single value: " + rule);
-    EXPECT_EQ(json("[[0, 1], []]"), "table.json: p.json row 2: an empty list: " + rule);
+    EXPECT_EQ(json(R"({"points": [[0, 1]]})"), "table.not-rows: p.json: a map: " + rule);
+    EXPECT_EQ(json("[0, 1]"), "table.not-rows: p.json row 1: a single value: " + rule);
+    EXPECT_EQ(json("[[0, 1], []]"), "table.not-rows: p.json row 2: an empty list: " + rule);
     EXPECT_EQ(json("[]"), "file.empty: p.json: no rows: the file must hold rows of numbers");
     EXPECT_EQ(json("[[0, 1], [2, 3, 4]]"), "table.ragged: p.json row 2: 3 columns: every row must "
                                            "have 2 columns, like row 1");

@@ -645,10 +645,46 @@ class BadInput(Folder):
                            says=["--weight-exponent"])
         self.interpolating("option.range", "0,0\n1,1\n", "--weight-exponent", "1e9",
                            says=["--weight-exponent"])
-        self.interpolating("usage", "0,0\n1,1\n", "--no-such-flag", says=["--no-such-flag"])
-        self.refused("usage")
+        self.interpolating("option.unknown", "0,0\n1,1\n", "--no-such-flag",
+                           says=["--no-such-flag"])
+        self.interpolating("option.unknown", "0,0\n1,1\n", "--metod", "natural",
+                           says=["did you mean --method?"])
+        self.interpolating("option.value", "0,0\n1,1\n", "--method", says=["--method"])
+        self.interpolating("option.choice", "0,0\n1,1\n", "--progress", "loud",
+                           says=["--progress", "loud"])
+        self.interpolating("input.count", "0,0\n1,1\n", "second.csv", says=["second.csv"])
+        self.refused("input.missing", "fit")
+        self.refused("command.missing")
+        self.refused("command.unknown", "fot", says=["did you mean fit?"])
         self.refused("input.kind", "measure", self.file("q.csv", "0,0\n1,1\n"),
                      says=["batten interpolate"])
+
+    def test_nothing_is_lost_by_what_is_written(self):
+        self.file("p.csv", "0,0\n1,1\n2,0\n")
+        os.mkdir(self.path("d"))
+
+        def refused(error_id, *more, says=()):
+            self.refused(error_id, "interpolate", self.path("p.csv"), *more, says=says)
+
+        refused("output.is-input", "-o", self.path("p.csv"), says=["p.csv"])
+        refused("output.is-input", "-o", self.path("d/../p.csv"))
+        refused("output.is-input", "-o", self.path("c.json"), "--report", self.path("p.csv"))
+        refused("output.twice", "-o", self.path("c.json"), "--report", self.path("c.json"),
+                says=["-o and --report"])
+        refused("file.unwritable", "-o", self.path("c.json"), "--draw", self.path("no/c.svg"))
+        refused("file.unwritable", "-o", self.path("c.json"), "--report", self.path("d"))
+        self.good("interpolate", self.path("p.csv"), "-o", os.devnull, "--format", "json",
+                  "--report", os.devnull)
+
+    def test_a_full_device_is_told(self):
+        if not os.path.exists("/dev/full"):
+            self.skipTest("this system has no /dev/full")
+        rows = self.file("p.csv", "0,0\n1,1\n2,0\n")
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            done = subprocess.run([COMMAND, "interpolate", rows], stdout=full,
+                                  stderr=subprocess.PIPE, text=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("file.unwritable: standard output", done.stderr)
 
     def test_samples_that_cannot_be_taken(self):
         self.good("interpolate", self.file("l.csv", "0,0\n10,0\n"), "-o", self.path("l.json"))

@@ -208,6 +208,8 @@ class Errors(unittest.TestCase):
         self.assertIn("points", error.place)
         nan = numpy.array([[0, 0], [1, numpy.nan], [2, 0]])
         self.refused("points.not-finite", lambda: batten.interpolate(nan))
+        self.refused("points.not-finite", lambda: batten.fit(nan))
+        self.refused("points.not-finite", lambda: batten.fair({"x": nan[:, 0], "y": nan[:, 1]}))
         self.refused("points.not-finite", lambda: batten.compare(batten.interpolate(ZIGZAG), to=nan))
 
     def test_options_and_inputs_that_make_no_sense(self):

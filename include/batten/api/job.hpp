@@ -41,7 +41,7 @@ struct Step {
 ///
 /// Everything is checked that can be without the files. Throws, with the place inside the job,
 /// `job.empty`, `job.operation`, `job.key`, `job.entry`, `job.name`, `job.input`,
-/// `job.output-twice`; the `option.` errors of the operation; what argument_of and input_of throw.
+/// `output.twice`; the `option.` errors of the operation; what argument_of and input_of throw.
 std::vector<Step> job_of(const Value& tree, const std::string& place);
 
 /// `error` with its place inside the job in front.

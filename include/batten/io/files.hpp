@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace batten {
 
@@ -22,12 +24,26 @@ inline constexpr std::size_t most_bytes = std::size_t{1} << 30;
 /// `most_bytes`.
 Source read_source(const std::string& path);
 
-/// Writes a file that appears whole or not at all: a draft in the same folder takes the place of
-/// `path` once everything is in it. The permissions of a file that is replaced stay; a link is
-/// followed; a device or a pipe is written to as it is.
+/// A file to be: where, and all that is in it.
+struct FileToWrite {
+    std::string path;
+    std::string bytes;
+};
+
+/// Writes files that appear whole or not at all: a draft in the same folder takes the place of each
+/// path once everything is in all of them. The permissions of a file that is replaced stay; a link
+/// is followed; a device or a pipe is written to as it is, before any file changes.
 ///
-/// Throws `file.unwritable`, which names the folder; then nothing has changed.
-void write_file(const std::string& path, std::string_view bytes);
+/// Throws `file.unwritable`, which names the folder; then no file has changed.
+void write_files(std::span<const FileToWrite> files);
+inline void write_file(const std::string& path, std::string bytes) {
+    const FileToWrite file{path, std::move(bytes)};
+    write_files({&file, 1});
+}
+
+/// Throws what write_files would throw of this path, as far as can be told before: asked before
+/// long work, whose result would be lost. Nothing stays changed.
+void require_writable(const std::string& path);
 
 /// What follows the last dot of the file's name, in lower case: `csv` of `out/Points.CSV`. Empty
 /// where there is no dot.

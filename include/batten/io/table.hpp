@@ -25,7 +25,8 @@ struct Table {
     std::string source;                       ///< what errors call the file
     std::vector<std::string> names;           ///< one a column, or none
     Points cells;                             ///< rows x columns; bad cells hold 0
-    std::vector<int> line_of_row;             ///< from 1: where each row stands in the file
+    std::vector<int> line_of_row;             ///< from 1: where each row stands in its file;
+                                              ///< empty where there is none: rows from 0 then
     std::vector<std::optional<BadCell>> bad;  ///< one a column
     std::vector<std::string> notes;           ///< what a reader of the result should know
 
@@ -47,7 +48,7 @@ TableFormat table_format(const Source& source);
 /// The table in `source`, read as docs/formats.md says. Pure: no file is touched.
 ///
 /// Throws, with the row (line of the file, from 1) where there is one: `file.empty`,
-/// `table.ragged`, `table.quote`, `table.encoding`, `table.too-wide`, `table.json`, the `json.`
+/// `table.ragged`, `table.quote`, `table.encoding`, `table.too-wide`, `table.not-rows`, the `json.`
 /// errors of parse_json, `npy.header`, `npy.type`, `npy.shape`, `npy.truncated`,
 /// `aerofoil.counts`.
 /// Cost: linear.

@@ -217,7 +217,7 @@ void require_different_places(const std::vector<Step>& steps) {
     for (const Step& step : steps) {
         for (const std::string* path : {&step.output, &step.report, &step.draw}) {
             if (!path->empty() && !places.insert(*path).second) {
-                throw Error("job.output-twice", step.place, *path,
+                throw Error("output.twice", step.place, *path,
                             "must be written by one step only");
             }
         }

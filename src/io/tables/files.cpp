@@ -8,6 +8,7 @@
 #include <memory>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "batten/base/error.hpp"
 
@@ -82,25 +83,29 @@ bool write_all(File file, std::string_view bytes) {
 /// A new file beside the one to be written; it goes away unless it takes that one's place.
 class Draft {
 public:
-    explicit Draft(const fs::path& target) : target_(target) {
+    explicit Draft(fs::path target) : target_(std::move(target)) {
         // Exclusive creation finds a free name whoever else is writing here.
         for (int i = 0; !file_ && (i == 0 || (errno == EEXIST && i < 10'000)); ++i) {
-            path_ = target.parent_path() / (".batten-" + std::to_string(i) + ".part");
+            path_ = target_.parent_path() / (".batten-" + std::to_string(i) + ".part");
             file_ = open(path_, "wbx");
         }
         exists_ = file_ != nullptr;
     }
-    Draft(const Draft&) = delete;
-    Draft& operator=(const Draft&) = delete;
+    Draft(Draft&& other) noexcept
+        : target_(std::move(other.target_)), path_(std::move(other.path_)),
+          file_(std::move(other.file_)), exists_(std::exchange(other.exists_, false)) {}
+    Draft& operator=(Draft&&) = delete;
     ~Draft() {
         file_.reset();
         std::error_code ignored;
         if (exists_) fs::remove(path_, ignored);
     }
 
-    /// Writes the bytes and takes the target's place; false, with errno, where this cannot be.
-    bool replace_by(std::string_view bytes) {
-        if (!file_ || !write_all(std::move(file_), bytes)) return false;
+    bool is_open() const { return file_ != nullptr; }
+    /// Whether all bytes have arrived; errno tells why not.
+    bool fill(std::string_view bytes) { return file_ && write_all(std::move(file_), bytes); }
+    /// Takes the target's place; false, with errno, where this cannot be.
+    bool replace_target() {
         std::error_code error;
         const fs::file_status old = fs::status(target_, error);
         if (fs::exists(old)) fs::permissions(path_, old.permissions(), error);
@@ -115,6 +120,34 @@ private:
     File file_;
     bool exists_ = false;
 };
+
+/// Where the bytes for a path go: links are followed.
+struct Target {
+    fs::path path;
+    bool is_device = false;  ///< or a pipe: written to as it is
+};
+
+/// Throws where the path can be no file or may not be changed.
+Target target_of(const std::string& path) {
+    if (path.empty()) throw unwritable(path, "no name");
+    std::error_code error;
+    const fs::path followed = fs::canonical(path, error);
+    const Target target{error ? fs::path(path) : followed, false};
+    const fs::file_status status = fs::status(target.path, error);
+    if (fs::is_directory(status)) throw unwritable(path, "a folder");
+    if (!fs::exists(status)) return target;
+    const bool is_device = !fs::is_regular_file(status);
+    // Opening tells whether an existing file may be changed, which renaming over it would not.
+    if (!is_device && !open(target.path, "r+b")) throw unwritable(path, reason(errno));
+    return {target.path, is_device};
+}
+
+void write_device(const FileToWrite& file, const Target& target) {
+    File device = open(target.path, "wb");
+    if (!device || !write_all(std::move(device), file.bytes)) {
+        throw unwritable(file.path, reason(errno));
+    }
+}
 
 }  // namespace
 
@@ -136,24 +169,30 @@ Source read_source(const std::string& path) {
     return {path, read_all(file.get(), path, size)};
 }
 
-void write_file(const std::string& path, std::string_view bytes) {
-    std::error_code error;
-    const fs::path followed = fs::canonical(path, error);
-    const fs::path target = error ? fs::path(path) : followed;
-    const fs::file_status status = fs::status(target, error);
-    if (path.empty()) throw unwritable(path, "no name");
-    if (fs::is_directory(status)) throw unwritable(path, "a folder");
-    if (fs::exists(status)) {
-        // Opening tells whether an existing file may be changed, which renaming over it would not.
-        const bool is_file = fs::is_regular_file(status);
-        File existing = open(target, is_file ? "r+b" : "wb");
-        if (!existing) throw unwritable(path, reason(errno));
-        if (!is_file) {
-            if (!write_all(std::move(existing), bytes)) throw unwritable(path, reason(errno));
-            return;
+void write_files(std::span<const FileToWrite> files) {
+    std::vector<Target> targets;
+    for (const FileToWrite& file : files) targets.push_back(target_of(file.path));
+    std::vector<std::pair<const FileToWrite*, Draft>> drafts;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        if (targets[i].is_device) continue;
+        drafts.emplace_back(&files[i], Draft(targets[i].path));
+        if (!drafts.back().second.fill(files[i].bytes)) {
+            throw unwritable(files[i].path, reason(errno));
         }
     }
-    if (!Draft(target).replace_by(bytes)) throw unwritable(path, reason(errno));
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        if (targets[i].is_device) write_device(files[i], targets[i]);
+    }
+    for (auto& [file, draft] : drafts) {
+        if (!draft.replace_target()) throw unwritable(file->path, reason(errno));
+    }
+}
+
+void require_writable(const std::string& path) {
+    const Target target = target_of(path);
+    if (!target.is_device && !Draft(target.path).is_open()) {
+        throw unwritable(path, reason(errno));
+    }
 }
 
 std::string suffix_of(std::string_view path) {

@@ -13,7 +13,7 @@ Error not_rows(const std::string& place, const Value& found) {
                        : found.text()  ? "a text"
                        : found.is_null() ? "null"
                                          : "a single value";
-    return {"table.json", place, kind, "points are a list of lists of numbers: [[x, y], ...]"};
+    return {"table.not-rows", place, kind, "points are a list of lists of numbers: [[x, y], ...]"};
 }
 
 }  // namespace

@@ -38,9 +38,10 @@ std::optional<int> named_column(const Table& table, std::string_view name) {
 /// Why a cell holds no finite number.
 Error bad_cell(const Table& table, int column) {
     const BadCell& bad = *table.bad[static_cast<std::size_t>(column)];
-    const std::string place = table.source + " row " +
-                              std::to_string(table.line_of_row[bad.row]) + ", column " +
-                              table.label(column);
+    const bool is_from_file = !table.line_of_row.empty();
+    const std::string row = is_from_file ? std::to_string(table.line_of_row[bad.row])
+                                         : std::to_string(bad.row);
+    const std::string place = table.source + " row " + row + ", column " + table.label(column);
     const std::string text = bad.text.empty() ? "an empty cell" : utf8::shown(bad.text);
     const std::optional<double> x = parse_number(bad.text);
     if (!x) {
