@@ -21,6 +21,7 @@
 #include "batten/shape/curve.hpp"
 #include "batten/shape/jet.hpp"
 #include "batten/shape/piecewise_cubic.hpp"
+#include "batten/shape/spline_surface.hpp"
 #include "batten/shape/transform.hpp"
 
 // What a curve measures, and how far it is from something.
@@ -33,6 +34,7 @@
 #include "batten/measure/curvature.hpp"
 #include "batten/measure/deviation.hpp"
 #include "batten/measure/energy.hpp"
+#include "batten/measure/graph_bend.hpp"
 #include "batten/measure/length.hpp"
 #include "batten/measure/line.hpp"
 #include "batten/measure/measure.hpp"
@@ -43,6 +45,7 @@
 #include "batten/make/arcs.hpp"
 #include "batten/make/convert.hpp"
 #include "batten/make/densify.hpp"
+#include "batten/make/fit_surface.hpp"
 #include "batten/make/implicit_cubic.hpp"
 #include "batten/make/interpolate.hpp"
 #include "batten/make/motion.hpp"
@@ -59,6 +62,7 @@
 #include "batten/io/dxf.hpp"
 #include "batten/io/files.hpp"
 #include "batten/io/gcode.hpp"
+#include "batten/io/grid_file.hpp"
 #include "batten/io/json.hpp"
 #include "batten/io/svg_arcs.hpp"
 #include "batten/io/svg_path.hpp"
