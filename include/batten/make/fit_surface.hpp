@@ -39,8 +39,8 @@ struct SurfaceFit {
 /// Laws:   (1) z and sigma x 2^k give the same knots and path, and coefficients x 2^k, exactly
 ///         (2) x or y x 2^k gives the same coefficients, knots x 2^k, exactly
 ///         (3) x and y exchanged give the exchanged surface, to rounding
-/// Accuracy: seminormal equations of the banded QR factors, corrected once: as good as QR while
-///         the scaled B-spline matrices have condition numbers below 1e7. Missing nodes and errors
+/// Accuracy: seminormal equations of the banded QR factors, corrected once where weights or
+///         knots are uneven: as good as QR while the matrices have condition numbers below 1e7. Missing nodes and errors
 ///         that are no product: conjugate gradients until their energy norm has fallen by 1e-11.
 /// Cost:   full grids a few operations a node and degree; a conjugate-gradient step twice that; an
 ///         automatic knot line once that.

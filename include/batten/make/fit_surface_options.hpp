@@ -15,15 +15,15 @@ namespace batten {
 enum class SurfaceKnots {
     automatic,  ///< one at a time, in the middle of the strip that fits worst
     equal,      ///< strips of equal width
-    free,       ///< the automatic ones, moved to where they serve best
     given,      ///< `x_knots` and `y_knots`
+    curved,     ///< a bundle along a front: for `fit_front`
 };
 
 constexpr std::array<Named<SurfaceKnots>, 4> names_of(SurfaceKnots) {
     return {{{"auto", SurfaceKnots::automatic},
              {"equal", SurfaceKnots::equal},
-             {"free", SurfaceKnots::free},
-             {"given", SurfaceKnots::given}}};
+             {"given", SurfaceKnots::given},
+             {"curved", SurfaceKnots::curved}}};
 }
 
 /// How the misfit of a strip is measured when a knot line is put in.

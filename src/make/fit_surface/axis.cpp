@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "make/fit/whitney.hpp"
 #include "shape/surface/sides.hpp"
@@ -101,6 +102,16 @@ Axis::Axis(BSplineBasis basis, std::span<const double> lines, std::span<const do
     const bool is_regular =
         open_.empty() || is_determined(basis_, lines);
     triangle_ = is_regular ? triangle_of(weighted_) : regular_triangle_of(weighted_);
+}
+
+double Axis::spread() const {
+    double largest = 0, smallest = std::fabs(triangle_.row(0)[0]);
+    for (std::size_t j = 0; j < functions(); ++j) {
+        const double size = std::fabs(triangle_.row(static_cast<int>(j))[0]);
+        largest = std::max(largest, size);
+        smallest = std::min(smallest, size);
+    }
+    return smallest > 0 ? largest / smallest : std::numeric_limits<double>::infinity();
 }
 
 void Axis::forward_rows(std::span<double> matrix, std::size_t width) const {

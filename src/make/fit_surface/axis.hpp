@@ -27,6 +27,8 @@ public:
     /// differences, which continue the surface smoothly.
     const std::vector<int>& open() const { return open_; }
 
+    /// The largest diagonal of the triangle over the smallest.
+    double spread() const;
     /// (A^T A)^-1 on the first index of a functions() x width matrix.
     void invert_rows(std::span<double> matrix, std::size_t width) const;
     /// R^-T on the first index: half of it.

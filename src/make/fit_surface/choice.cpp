@@ -138,6 +138,10 @@ SurfaceChoice equal_lines(Lattice& lattice, const Target& target) {
                     std::to_string(target.exactly[0]) + "," + std::to_string(target.exactly[1]),
                     "the nodes do not determine so many strips");
     }
+    if (target.exactly[0] > 0) {
+        return {clamped_knots(lattice.x_breaks(), lattice.degree()),
+                clamped_knots(lattice.y_breaks(), lattice.degree()), {}, {}, 0, true};
+    }
     LineSearch search(lattice, target);
     while (search.step_wants_more()) {
         const int m = lattice.x_strips(), n = lattice.y_strips();
@@ -199,6 +203,9 @@ void require_surface_options(const FitSurfaceOptions& options) {
     if (options.degree < 0 || options.degree > 9) {
         throw Error("option.range", "degree", std::to_string(options.degree),
                     "must lie between 0 and 9");
+    }
+    if (options.knots == SurfaceKnots::curved) {
+        throw Error("fit.options", "knots", "curved", "curved knot lines are made by fit_front");
     }
     const bool has_lines = !options.x_knots.empty() || !options.y_knots.empty();
     if (has_lines && !options.intervals.empty()) {

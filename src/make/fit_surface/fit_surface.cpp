@@ -76,7 +76,7 @@ SurfaceFit fit_surface(const SurfaceSamples& samples, const FitSurfaceOptions& o
         throw Error("fit.too-few", "grid", std::to_string(nodes.count) + " nodes",
                     std::to_string(parameters) + " coefficients need at least as many");
     }
-    Solution solution = solve(nodes, x, y, Corrected::yes);
+    Solution solution = solve(nodes, x, y, Corrected::where_needed);
     const Misfit measured = misfit(nodes, x, y, solution.coefficients, std::nullopt);
     require_finite_solution(solution.coefficients, measured.delta2);
     FitSurfaceReport report;

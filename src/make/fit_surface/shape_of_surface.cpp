@@ -6,7 +6,7 @@
 namespace batten::surface_fitting {
 namespace {
 
-constexpr std::size_t most_places = 200;  // a sample of the grid's lines is enough for a share
+constexpr std::size_t most_places = 64;  // a sample of the grid's lines is enough for a share
 
 std::vector<double> thinned(std::span<const double> lines) {
     const std::size_t step = (lines.size() + most_places - 1) / most_places;
@@ -64,7 +64,7 @@ double product_rest(const Grid& z) {
         for (std::size_t i = 0; i < m; ++i) {
             for (std::size_t j = 0; j < n; ++j) v[j] += z(i, j) * u[i];
         }
-        const bool is_still = std::fabs(next - largest_sq) <= 1e-14 * all;
+        const bool is_still = std::fabs(next - largest_sq) <= 1e-12 * all;
         largest_sq = next;
         if (is_still) break;
     }
