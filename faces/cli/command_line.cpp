@@ -49,6 +49,8 @@ void add_field(Typed& typed, std::size_t index) {
 void add_common(CLI::App& verb, const Operation& operation, Command& command) {
     const char* const what = operation.input == InputKind::points ? "POINTS"
                              : operation.input == InputKind::curve ? "CURVE"
+                             : operation.input == InputKind::grid ? "GRID"
+                             : operation.input == InputKind::surface ? "SURFACE"
                                                                    : "POINTS|CURVE";
     CLI::Option* input = verb.add_option("input", command.inputs, "the file to read, - for standard input");
     input->required()->type_name(what);

@@ -7,6 +7,7 @@
 #include "batten/base/text.hpp"
 #include "batten/io/curve_file.hpp"
 #include "batten/io/files.hpp"
+#include "batten/io/surface_file.hpp"
 #include "batten/io/table.hpp"
 
 namespace batten::cli {
@@ -15,6 +16,8 @@ namespace {
 Input read_input(const std::string& path, const Command& command) {
     const Source source = read_source(path);
     const InputKind kind = command.operation->input;
+    if (kind == InputKind::grid) return {source.name, source};
+    if (kind == InputKind::surface) return {source.name, parse_surface(source)};
     const bool is_curve = holds_curve(source);
     if (kind == InputKind::points && is_curve) {
         throw Error("input.kind", source.name, "a curve",

@@ -8,7 +8,7 @@ const std::vector<Operation>& operations() {
         api::interpolate_row(), api::densify_row(), api::thin_row(),
         api::arcs_row(),        api::sample_row(),  api::measure_row(),
         api::evaluate_row(),    api::compare_row(), api::convert_row(),
-        api::draw_row(),
+        api::draw_row(),        api::fit_surface_row(), api::contour_row(),
     };
     return table;
 }

@@ -73,6 +73,8 @@ Operation thin_row();
 Operation arcs_row();
 Operation measure_row();
 Operation evaluate_row();
+Operation fit_surface_row();
+Operation contour_row();
 Operation compare_row();
 Operation convert_row();
 Operation draw_row();

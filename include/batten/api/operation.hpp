@@ -12,8 +12,11 @@
 #include "batten/base/progress.hpp"
 #include "batten/base/value.hpp"
 #include "batten/io/draw/drawing.hpp"
+#include "batten/io/files.hpp"
 #include "batten/io/table.hpp"
 #include "batten/shape/curve.hpp"
+#include "batten/shape/curved_knot_surface.hpp"
+#include "batten/shape/spline_surface.hpp"
 
 /// Every operation as one row of one table: what the faces are made from.
 namespace batten {
@@ -48,10 +51,11 @@ struct PointsInput {
 };
 
 /// What an operation works on.
-enum class InputKind { points, curve, points_or_curve };
+/// A grid comes as the bytes of its file, since the options tell how to read it.
+enum class InputKind { points, curve, points_or_curve, grid, surface };
 struct Input {
     std::string name;  ///< for errors and legends: the file's name, or what the caller calls it
-    std::variant<PointsInput, Curve> content;
+    std::variant<PointsInput, Curve, Source, SplineSurface> content;
 };
 
 /// Rows of named columns.
@@ -60,9 +64,10 @@ struct Rows {
     Points cells;
 };
 
-/// What an operation makes: nothing but its report, a curve, rows, or a picture.
-enum class OutputKind { report, curve, rows, drawing };
-using Output = std::variant<std::monostate, Curve, Rows, Drawing>;
+/// What an operation makes: nothing but its report, a curve, rows, a picture, or a surface.
+enum class OutputKind { report, curve, rows, drawing, surface };
+using Output =
+    std::variant<std::monostate, Curve, Rows, Drawing, SplineSurface, CurvedKnotSurface>;
 
 /// One more form in which an output can be written, made only when somebody wants it.
 struct OutputForm {

@@ -171,7 +171,7 @@ GridFile long_form(const std::vector<TextRow>& rows, bool has_names, const std::
     const std::size_t nodes = file.x.size() * file.y.size();
     const auto refuse = [&](const std::string& value) {
         return Error("grid.not-a-grid", source, value,
-                     "every x must stand with every y once; fit scattered points with --scattered");
+                     "every x must stand with every y once");
     };
     if (file.x.size() > x.size() || nodes != x.size()) {
         throw refuse(std::to_string(x.size()) + " rows, " + std::to_string(file.x.size()) +
