@@ -10,7 +10,7 @@ compile = mkdir -p build && $(call configure,$(1)) && \
 	cmake --build build/$(1) -j $(JOBS) --target $(or $(2),all)
 run_tests = ctest --test-dir build/$(1) -j $(JOBS) --output-on-failure
 
-.PHONY: help build demo tables papers test asan tsan clang fuzz wasm clean
+.PHONY: help build demo tables papers python package bench test asan tsan clang fuzz wasm clean
 help: ## list these commands
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "make %-7s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
@@ -32,9 +32,25 @@ papers: ## make the papers' figures and tables again, into papers/
 	@./setup.sh core test
 	@$(call compile,release,papers)
 	@build/release/papers/papers_harada_nakamae papers/harada-nakamae
+	@build/release/papers/papers_hatano_curves cases papers/hatano
 	@build/release/papers/papers_inoue_shibata papers/inoue-shibata
 	@build/release/papers/papers_nakajima papers/nakajima
 	@build/release/papers/papers_inoue_shibata_tables
+	@build/release/papers/papers_miura_yoshida_saito papers/miura-yoshida-saito
+
+python: ## build the Python module and pack it as a wheel, into build/release/wheel
+	@./setup.sh core test python
+	@$(call compile,release,wheel)
+
+package: ## pack library and command as .tar.gz and .deb, into build/release/package
+	@./setup.sh core test package
+	@$(call compile,release,product)
+	@cmake --build build/release --target package
+
+bench: ## measure speed beside the peers, into docs/benchmarks.md
+	@./setup.sh core test bench
+	@$(call compile,release,batten_speed)
+	@/usr/bin/python3 bench/speed/run.py build/release/bench/batten_speed .
 
 test: ## run all tests
 	@./setup.sh core test
@@ -56,7 +72,7 @@ clang: ## build with clang++ and run the tests against known values
 	@$(call compile,clang)
 	@$(call run_tests,clang) -R '^known/'
 
-fuzz: ## feed hostile input to every reader for FUZZ_SECONDS in all
+fuzz: ## feed hostile input to readers and operations for FUZZ_SECONDS in all
 	@./setup.sh core clang
 	@$(call compile,fuzz)
 	@tools/fuzz.sh build/fuzz $(FUZZ_SECONDS)

@@ -6,22 +6,28 @@ declare -A packages=(
     [core]="g++ cmake ninja-build make libeigen3-dev libboost-dev libcli11-dev libfmt-dev
             nlohmann-json3-dev"
     [test]="libgtest-dev librapidcheck-dev python3 python3-ezdxf pkg-config"
+    [python]="python3-dev python3-numpy pybind11-dev"
+    [package]="dpkg-dev file"
+    [bench]="libbenchmark-dev libgsl-dev libspiro-dev python3-numpy python3-scipy"
     [clang]="clang libclang-rt-dev"
     [wasm]="emscripten"
-    [draw]="librsvg2-bin"
+    [draw]="gnuplot-nox librsvg2-bin"
     [reference]="python3-numpy python3-scipy"
     [develop]="ccache clang-format"
 )
 declare -A purposes=(
     [core]="the library and the command"
     [test]="the tests (make test, make asan, make tsan)"
+    [python]="the Python module and its tests (make python)"
+    [package]="the .tar.gz and the .deb (make package)"
+    [bench]="the benchmark and its peers (make bench)"
     [clang]="the clang build and the fuzzers (make clang, make fuzz)"
     [wasm]="the core in WebAssembly (make wasm)"
-    [draw]="PNG copies of pictures"
+    [draw]="charts as PNG and PDF, PNG copies of pictures"
     [reference]="the programs in tools/ that remake reference data"
     [develop]="faster rebuilds, one layout of the sources"
 )
-order="core test clang wasm draw reference develop"
+order="core test python package bench clang wasm draw reference develop"
 
 usage() {
     local each

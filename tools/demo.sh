@@ -17,7 +17,7 @@ say "1. A violin's body, 36 points typed by hand, four of them corners."
 run batten interpolate $points/violin.csv --closed --corner 6,12,24,30 \
     -o $out/violin.json --draw $out/violin.svg
 say "   How good is it?"
-run batten measure $out/violin.json
+run batten measure $out/violin.json -o $out/violin-measures.json
 
 say "2. An aerofoil (RAE 2822): closed at its sharp trailing edge."
 run batten interpolate $points/rae2822.dat -o $out/aerofoil.json --draw $out/aerofoil.svg
@@ -30,6 +30,26 @@ done
 run batten draw $out/natural-uniform.json $out/natural-chord.json $out/hermite-chord.json \
     $out/hermite-arc.json $out/pseudo-spline.json $points/inoue-shibata-table-2.csv \
     -o $out/needles.svg --quiet
-run batten compare $out/pseudo-spline.json --to $points/inoue-shibata-table-2.csv
+run batten compare $out/pseudo-spline.json --to $points/inoue-shibata-table-2.csv \
+    -o $out/needles-compared.json
 
-say "Pictures: $out/violin.svg $out/aerofoil.svg $out/needles.svg"
+say "4. A car's side line, heights rounded to whole millimetres: made fair within 1 mm."
+run batten fair $points/car-side.csv --sigma 0.29 --tolerance 1 -o $out/car-side.csv \
+    --draw $out/car-side.svg
+say "   The same as a chain of log-aesthetic arcs; how far are the points from it?"
+run batten fair $points/car-side.csv --sigma 0.29 --tolerance 1 --as arcs -o $out/car-side.json
+run batten compare $out/car-side.json --to $points/car-side.csv --tolerance 1.2 \
+    -o $out/car-side-compared.json
+run batten measure $out/car-side.json -o $out/car-side-measures.json --draw $out/car-side-curvature.svg
+say "   Walk along it as fast as 1.5 m/s, and 2 m/s2 across and along, allow."
+run batten sample $out/car-side.json --law time-optimal --max-speed 1500 --max-lateral 2000 \
+    --max-tangential 2000 --fps 25 -o $out/car-side-walk.csv --draw $out/car-side-walk.svg
+say "   For the machine: circular arcs within 0.2 mm, as DXF and as G-code."
+run batten arcs $out/car-side.json --tolerance 0.2 -o $out/car-side.dxf \
+    --draw $out/car-side-arcs.svg
+run batten arcs $out/car-side.json --tolerance 0.2 --feed 1200 -o $out/car-side.gcode --quiet
+
+say "5. The titanium data, a property against temperature: as many knots as the data carry."
+run batten fit cases/fits/titanium.csv -o $out/titanium.json --draw $out/titanium.svg
+
+say "Pictures: $out/*.svg"

@@ -2,19 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iostream>
-#include <memory>
 
 #include "batten/base/error.hpp"
+#include "help.hpp"
+#include "vocabulary.hpp"
 
 namespace batten::cli {
 namespace {
-
-constexpr const char* footer =
-    "Every verb reads one input (- for standard input) and writes curves as JSON, points as CSV,\n"
-    "to standard output or to -o FILE. Verbs read what other verbs write:\n"
-    "  batten interpolate points.csv | batten measure -\n"
-    "Exit status: 0 done, 2 bad input, 3 the result misses what was asked, 1 anything else.";
 
 /// The text of one operation's options as they are typed, by field.
 struct Typed {
@@ -23,52 +17,76 @@ struct Typed {
     std::vector<std::vector<std::string>> values;
 };
 
-std::string description(const Field& field) {
-    std::string text = field.help;
-    if (!field.default_text.empty()) text += " [" + field.default_text + "]";
-    return text;
-}
-
 void add_field(Typed& typed, std::size_t index) {
     const Field& field = typed.operation->fields[index];
     const std::string flag = "--" + flag_name(field.name);
-    CLI::Option* option = nullptr;
     if (field.kind == FieldKind::flag) {
-        option = typed.verb->add_flag_callback(
-            flag, [&typed, index] { typed.values[index] = {"true"}; }, description(field));
-    } else {
-        option = typed.verb->add_option(flag, typed.values[index], description(field));
-        // One word at a time; lists may be given piece by piece, of others the last one counts.
-        option->type_name(field.takes)->expected(1)->multi_option_policy(
-            field.kind == FieldKind::list ? CLI::MultiOptionPolicy::TakeAll
-                                          : CLI::MultiOptionPolicy::TakeLast);
+        typed.verb->add_flag_callback(flag, [&typed, index] { typed.values[index] = {"true"}; });
+        return;
     }
-    option->group("Options");
+    // One word at a time; lists may be given piece by piece, of others the last one counts.
+    typed.verb->add_option(flag, typed.values[index])
+        ->expected(1)
+        ->allow_extra_args(false)
+        ->multi_option_policy(field.kind == FieldKind::list ? CLI::MultiOptionPolicy::TakeAll
+                                                            : CLI::MultiOptionPolicy::TakeLast);
 }
 
-void add_common(CLI::App& verb, const Operation& operation, Command& command) {
-    const char* const what = operation.input == InputKind::points ? "POINTS"
-                             : operation.input == InputKind::curve ? "CURVE"
-                             : operation.input == InputKind::grid ? "GRID"
-                             : operation.input == InputKind::surface ? "SURFACE"
-                                                                   : "POINTS|CURVE";
-    CLI::Option* input = verb.add_option("input", command.inputs, "the file to read, - for standard input");
-    input->required()->type_name(what);
+void add_common(CLI::App& verb, const std::vector<CommonFlag>& flags, Command& command) {
+    for (const auto& [flag, member] : flags) {
+        const std::string names =
+            (flag.letter ? std::string("-") + flag.letter + "," : "") + "--" + flag.name;
+        if (const auto* truth = std::get_if<bool Command::*>(&member)) {
+            verb.add_flag(names, command.**truth);
+            continue;
+        }
+        CLI::Option* option = verb.add_option(names, command.*std::get<std::string Command::*>(member));
+        if (!flag.choices.empty()) option->check(CLI::IsMember(flag.choices));
+    }
+}
+
+void add_input(CLI::App& verb, const Operation& operation, Command& command) {
+    if (verb_of(operation).input.empty()) return;
+    CLI::Option* input = verb.add_option("input", command.inputs)->required();
     if (!operation.many_inputs) input->expected(1);
-    const std::string group = "Input and output";
-    verb.add_option("-o,--output", command.output, "write the result to this file, its form by suffix")
-        ->type_name("FILE")->group(group);
-    verb.add_option("--format", command.format, "the form to write: json, csv, svg, npy, dxf, gcode")
-        ->type_name("NAME")->group(group);
-    verb.add_option("--report", command.report, "write the report as JSON, - for standard output")
-        ->type_name("FILE")->group(group);
-    verb.add_option("--draw", command.drawing, "draw what was done")
-        ->type_name("FILE.svg")->group(group);
-    verb.add_option("--columns", command.columns, "columns that hold the coordinates: names or #k, k from 1")
-        ->type_name("X,Y[,Z]")->group(group);
-    verb.add_option("--progress", command.progress, "progress of long work on standard error [auto]")
-        ->type_name("WHEN")->check(CLI::IsMember({"auto", "always", "never"}))->group(group);
-    verb.add_flag("--quiet", command.quiet, "no summary on standard error")->group(group);
+}
+
+/// Help as help.hpp writes it.
+void set_help(CLI::App& app, const std::string& text) {
+    app.set_help_flag("-h,--help", "print this help");
+    app.formatter_fn([text](const CLI::App*, std::string, CLI::AppFormatMode) { return text; });
+}
+
+CLI::App* add_verb(CLI::App& app, const Verb& verb) {
+    CLI::App* added = app.add_subcommand(verb.name, verb.help);
+    set_help(*added, help_text(verb, help_width()));
+    return added;
+}
+
+void add_run(CLI::App& app, Command& command) {
+    CLI::App* run = add_verb(app, run_verb());
+    run->add_option("job", command.job)->required()->expected(1);
+    add_common(*run, run_flags(), command);
+}
+
+/// The words typed, with a bare option's meaning written out: `--robust` is `--robust reject`
+/// unless one of its words follows.
+std::vector<std::string> written_out(int argc, const char* const* argv) {
+    std::vector<std::string> words(argv + 1, argv + argc);
+    const Operation* operation = words.empty() ? nullptr : find_operation(words.front());
+    if (!operation) return words;
+    for (const Field& field : operation->fields) {
+        if (field.bare.empty()) continue;
+        const std::string flag = "--" + flag_name(field.name);
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            if (words[i] != flag) continue;
+            const bool has_word =
+                i + 1 < words.size() && std::find(field.choices.begin(), field.choices.end(),
+                                                  words[i + 1]) != field.choices.end();
+            if (!has_word) words.insert(words.begin() + static_cast<std::ptrdiff_t>(i) + 1, field.bare);
+        }
+    }
+    return words;
 }
 
 std::string joined(const std::vector<std::string>& parts) {
@@ -79,32 +97,29 @@ std::string joined(const std::vector<std::string>& parts) {
 
 }  // namespace
 
-std::string flag_name(const std::string& field) {
-    std::string name = field;
-    std::replace(name.begin(), name.end(), '_', '-');
-    return name;
-}
-
 Parsed parse(int argc, const char* const* argv) {
     Parsed parsed;
     Command& command = parsed.command;
-    CLI::App app("Batten: fair curves through points, and how good they are.", "batten");
-    app.footer(footer);
+    CLI::App app(about, "batten");
     app.set_version_flag("--version", std::string(version()), "print the version");
-    app.set_help_flag("-h,--help", "print this help");
+    set_help(app, help_text(help_width()));
     app.require_subcommand(1);
 
     // Reserved once: the options point into these.
     std::vector<Typed> verbs(operations().size());
     for (std::size_t i = 0; i < verbs.size(); ++i) {
         const Operation& operation = operations()[i];
-        CLI::App* verb = app.add_subcommand(std::string(operation.name), std::string(operation.help));
+        CLI::App* verb = add_verb(app, verb_of(operation));
         verbs[i] = {&operation, verb, std::vector<std::vector<std::string>>(operation.fields.size())};
-        add_common(*verb, operation, command);
+        add_input(*verb, operation, command);
+        add_common(*verb, common_flags(operation), command);
         for (std::size_t k = 0; k < operation.fields.size(); ++k) add_field(verbs[i], k);
     }
+    add_run(app, command);
     try {
-        app.parse(argc, argv);
+        std::vector<std::string> words = written_out(argc, argv);
+        std::reverse(words.begin(), words.end());  // as CLI11 takes them
+        app.parse(words);
     } catch (const CLI::ParseError& stop) {
         if (stop.get_exit_code() == 0) {
             parsed.exit_status = app.exit(stop);

@@ -22,6 +22,8 @@ struct Command {
     std::string columns;  ///< --columns, empty for the first two or three
     std::string progress = "auto";
     bool quiet = false;
+    std::string job;            ///< the job file of `run`, which has no operation
+    bool keeps_result = false;  ///< a step before a job's last writes no output but what it names
 };
 
 /// Either a command, or the exit status of `--help`, `--version` and the like, already printed.
@@ -33,8 +35,5 @@ struct Parsed {
 
 /// Throws `usage` errors as `Error`.
 Parsed parse(int argc, const char* const* argv);
-
-/// `weight_exponent` as `weight-exponent`.
-std::string flag_name(const std::string& field);
 
 }  // namespace batten::cli

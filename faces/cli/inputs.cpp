@@ -1,6 +1,7 @@
 #include "inputs.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 
 #include "batten/base/error.hpp"
@@ -12,28 +13,6 @@
 
 namespace batten::cli {
 namespace {
-
-Input read_input(const std::string& path, const Command& command) {
-    const Source source = read_source(path);
-    const InputKind kind = command.operation->input;
-    if (kind == InputKind::grid) return {source.name, source};
-    if (kind == InputKind::surface) return {source.name, parse_surface(source)};
-    const bool is_curve = holds_curve(source);
-    if (kind == InputKind::points && is_curve) {
-        throw Error("input.kind", source.name, "a curve",
-                    std::string(command.operation->name) + " takes points");
-    }
-    if (kind == InputKind::curve && !is_curve) {
-        // Read it all the same: what is wrong with the file comes before what it is for.
-        parse_table(source);
-        throw Error("input.kind", source.name, "points",
-                    std::string(command.operation->name) +
-                        " takes a curve; `batten interpolate` makes one");
-    }
-    if (is_curve) return {source.name, parse_curve(source)};
-    const Table table = parse_table(source);
-    return {source.name, PointsInput{table, coordinate_columns(table, command.columns)}};
-}
 
 /// Whether the text is a number, or one with `r` behind it: a share.
 bool is_number(std::string_view text) {
@@ -83,6 +62,17 @@ bool takes_column(const Operation& operation, const Field& field) {
     });
 }
 
+std::vector<double> numbers_in(const std::string& list) {
+    std::vector<double> numbers;
+    std::size_t start = 0;
+    while (start <= list.size()) {
+        const std::size_t end = std::min(list.find(',', start), list.size());
+        numbers.push_back(*parse_number(std::string_view(list).substr(start, end - start)));
+        start = end + 1;
+    }
+    return numbers;
+}
+
 Argument read_shape(const std::string& path) {
     const Source source = read_source(path);
     if (holds_curve(source)) return parse_curve(source);
@@ -98,6 +88,45 @@ Argument read_numbers(const std::string& path) {
                                 : Argument(points_of(table, coordinate_columns(table)));
 }
 
+}  // namespace
+
+Input read_input(const std::string& path, const Command& command) {
+    Source source = read_source(path);
+    const InputKind kind = command.operation->input;
+    const auto refuse = [&](const char* what, const char* takes) {
+        throw Error("input.kind", source.name, what,
+                    std::string(command.operation->name) + " takes " + takes);
+    };
+    if (holds_surface(source)) {
+        if (!takes_surface(kind)) refuse("a surface", takes_curve(kind) ? "a curve" : "points");
+        return {source.name, parse_surface(source)};
+    }
+    if (kind == InputKind::surface) {
+        // Read it all the same: what is wrong with the file comes before what it is for.
+        parse_surface(source);
+    }
+    const bool is_curve = holds_curve(source);
+    if (kind == InputKind::grid) {
+        if (is_curve) refuse("a curve", "a grid of heights");
+        std::string name = source.name;
+        return {std::move(name), std::move(source)};
+    }
+    if (is_curve && !takes_curve(kind)) refuse("a curve", "points");
+    if (!is_curve && !takes_rows(kind)) {
+        // Read it all the same: what is wrong with the file comes before what it is for.
+        parse_table(source);
+        throw Error("input.kind", source.name, "points",
+                    std::string(command.operation->name) +
+                        " takes a curve; `batten interpolate` makes one");
+    }
+    if (is_curve) return {source.name, parse_curve(source)};
+    const Table table = parse_table(source);
+    if (kind == InputKind::table && command.columns.empty()) {
+        return {source.name, PointsInput{table, {}}};
+    }
+    return {source.name, PointsInput{table, coordinate_columns(table, command.columns)}};
+}
+
 Argument argument_of(const Command& command, const Field& field, const std::string& text,
                      const std::vector<Input>& inputs) {
     switch (field.kind) {
@@ -108,6 +137,8 @@ Argument argument_of(const Command& command, const Field& field, const std::stri
             return text;
         case FieldKind::choice:
             if (!is_choice(field, text) && takes_column(*command.operation, field)) {
+                if (is_list(text)) return numbers_in(text);
+                if (std::filesystem::is_regular_file(text)) return read_numbers(text);
                 if (const auto* points = std::get_if<PointsInput>(&inputs.front().content)) {
                     return column_values(points->table, column_index(points->table, text));
                 }
@@ -116,8 +147,6 @@ Argument argument_of(const Command& command, const Field& field, const std::stri
         default: return text;
     }
 }
-
-}  // namespace
 
 std::vector<Input> read_inputs(const Command& command) {
     std::vector<Input> inputs;

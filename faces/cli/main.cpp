@@ -4,28 +4,25 @@
 
 #include "batten/base/error.hpp"
 #include "command_line.hpp"
+#include "exit_status.hpp"
 #include "inputs.hpp"
 #include "outputs.hpp"
 #include "progress_line.hpp"
+#include "run_job.hpp"
 #include "summary.hpp"
+#include "vocabulary.hpp"
 
 namespace {
 
-constexpr int done = 0, failed = 1, bad_input = 2, missed = 3;
-
 /// Options are shown as they are typed: `option.range: weight_exponent` becomes
 /// `--weight-exponent`.
-std::string place_of(const batten::Error& error) {
-    if (error.code().rfind("option.", 0) != 0) return error.place();
-    return "--" + batten::cli::flag_name(error.place());
+batten::Error as_typed(const batten::Error& error) {
+    if (error.code().rfind("option.", 0) != 0) return error;
+    return error.at("--" + batten::cli::flag_name(error.place()));
 }
 
-int run(int argc, char** argv) {
+int run_operation(const batten::cli::Command& command) {
     using namespace batten::cli;
-    const Parsed parsed = parse(argc, argv);
-    if (!parsed.runs()) return parsed.exit_status;
-    const Command& command = parsed.command;
-
     const std::vector<batten::Input> inputs = read_inputs(command);
     const std::vector<batten::Setting> settings = read_settings(command, inputs);
     const batten::Outcome outcome = [&] {
@@ -38,19 +35,30 @@ int run(int argc, char** argv) {
     return outcome.status == batten::Status::met ? done : missed;
 }
 
+int run(int argc, char** argv) {
+    const batten::cli::Parsed parsed = batten::cli::parse(argc, argv);
+    if (!parsed.runs()) return parsed.exit_status;
+    const batten::cli::Command& command = parsed.command;
+    if (!command.operation) return batten::cli::run_job(command);
+    try {
+        return run_operation(command);
+    } catch (const batten::Error& error) {
+        throw as_typed(error);
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     try {
         return run(argc, argv);
     } catch (const batten::Error& error) {
-        std::cerr << "batten: error: " << error.code() << ": " << place_of(error) << ": "
-                  << error.value() << ": " << error.rule() << '\n';
-        return bad_input;
+        std::cerr << "batten: error: " << error.what() << '\n';
+        return batten::cli::bad_input;
     } catch (const std::bad_alloc&) {
         std::cerr << "batten: out of memory\n";
     } catch (const std::exception& trouble) {
         std::cerr << "batten: internal error: " << trouble.what() << '\n';
     }
-    return failed;
+    return batten::cli::failed;
 }

@@ -12,6 +12,7 @@
 #include "batten/io/surface_file.hpp"
 #include "batten/io/svg_path.hpp"
 #include "batten/io/write_points.hpp"
+#include "charts.hpp"
 
 namespace batten::cli {
 namespace {
@@ -59,8 +60,8 @@ std::string text_of(const Rows& rows, const std::string& format) {
 }
 
 std::string text_of(const Drawing& drawing, const std::string& format) {
-    if (format == "svg") return svg(drawing);
-    refuse_format(format, "svg");
+    if (format == "svg" || format == "png" || format == "pdf") return picture(drawing, format);
+    refuse_format(format, "svg, png, pdf");
 }
 
 std::string report_text(const Command& command, const Outcome& outcome) {
@@ -72,6 +73,8 @@ std::string output_text(const Command& command, const Outcome& outcome,
     for (const OutputForm& form : outcome.forms) {
         if (form.name == format) return form.text();
     }
+    const bool wants_rows = format == "csv" || format == "npy";
+    if (wants_rows && outcome.rows) return text_of(outcome.rows(), format);
     if (const Curve* curve = std::get_if<Curve>(&outcome.output)) {
         return text_of(*curve, format, outcome);
     }
@@ -79,11 +82,7 @@ std::string output_text(const Command& command, const Outcome& outcome,
     if (const auto* drawing = std::get_if<Drawing>(&outcome.output)) {
         return text_of(*drawing, format);
     }
-    if (const auto* surface = std::get_if<SplineSurface>(&outcome.output)) {
-        if (format == "json") return dump_json(surface_value(*surface));
-        refuse_format(format, with_forms("json", outcome));
-    }
-    if (const auto* surface = std::get_if<CurvedKnotSurface>(&outcome.output)) {
+    if (const auto* surface = std::get_if<Surface>(&outcome.output)) {
         if (format == "json") return dump_json(surface_value(*surface));
         refuse_format(format, with_forms("json", outcome));
     }
@@ -91,17 +90,16 @@ std::string output_text(const Command& command, const Outcome& outcome,
     return report_text(command, outcome);
 }
 
-std::string default_format(OutputKind kind) {
-    switch (kind) {
-        case OutputKind::rows: return "csv";
-        case OutputKind::drawing: return "svg";
-        default: return "json";
-    }
+std::string default_format(const Output& output) {
+    if (std::holds_alternative<Rows>(output)) return "csv";
+    if (std::holds_alternative<Drawing>(output)) return "svg";
+    return "json";
 }
 
 /// A report alone is not poured over the summary that a person at a terminal reads anyway.
 bool writes_to_standard_output(const Command& command) {
     if (!command.output.empty()) return command.output == "-";
+    if (command.keeps_result) return false;
     if (command.operation->output != OutputKind::report) return command.report != "-";
     return command.report.empty() && !isatty(STDOUT_FILENO);
 }
@@ -111,20 +109,20 @@ bool writes_to_standard_output(const Command& command) {
 std::vector<Written> render(const Command& command, const Outcome& outcome) {
     std::vector<Written> all;
     const bool to_standard = writes_to_standard_output(command);
-    if (to_standard || !command.output.empty()) {
+    // What was asked for does not exist: the report says so, and no file does.
+    const bool is_missing = command.operation->output != OutputKind::report &&
+                            std::holds_alternative<std::monostate>(outcome.output);
+    if (!is_missing && (to_standard || !command.output.empty())) {
         std::string format = command.format;
         if (format.empty()) {
-            format = to_standard ? default_format(command.operation->output)
+            format = to_standard ? default_format(outcome.output)
                                  : suffix_of(command.output);
         }
         all.push_back({to_standard ? "-" : command.output,
                        output_text(command, outcome, format)});
     }
-    if (!command.drawing.empty()) {
-        if (suffix_of(command.drawing) != "svg") {
-            refuse_format(suffix_of(command.drawing), "svg");
-        }
-        all.push_back({command.drawing, svg(outcome.draw())});
+    if (!command.drawing.empty() && outcome.draw) {
+        all.push_back({command.drawing, picture(outcome.draw(), suffix_of(command.drawing))});
     }
     if (!command.report.empty()) all.push_back({command.report, report_text(command, outcome)});
     return all;

@@ -1,6 +1,7 @@
 #include "summary.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "batten/base/text.hpp"
 
@@ -9,14 +10,27 @@ namespace {
 
 constexpr std::size_t most_shown = 6;
 
+/// What a person reads; the report has all digits.
+constexpr int digits = 7;
+
 std::string brief(const Value& value);
 
-/// The first few of a list, and how many there are.
+std::string brief(double x) {
+    constexpr int most_decimals = 22;  // 10^22 is a double
+    if (x == 0) return format_number(x);
+    const int decimals = digits - 1 - static_cast<int>(std::floor(std::log10(std::fabs(x))));
+    if (decimals <= 0 || decimals > most_decimals) return format_number(x);
+    const double power = std::pow(10.0, decimals);
+    return format_number(std::round(x * power) / power);
+}
+
+/// The first few numbers of a list, and how many there are; of a table that alone.
 std::string brief(const ValueList& list) {
     if (list.empty()) return "none";
+    if (list.size() > 1 && list[0].map()) return std::to_string(list.size()) + " in the report";
     std::string text;
     for (std::size_t i = 0; i < std::min(list.size(), most_shown); ++i) {
-        text += (i > 0 ? (list[i].map() ? "; " : ", ") : "") + brief(list[i]);
+        text += (i > 0 ? ", " : "") + brief(list[i]);
     }
     if (list.size() > most_shown) text += ", … (" + std::to_string(list.size()) + ")";
     return text;
@@ -31,9 +45,10 @@ std::string brief(const ValueMap& map) {
 }
 
 std::string brief(const Value& value) {
-    if (value.is_null()) return "–";
+    if (value.is_null()) return "none";
     if (const bool* truth = value.truth()) return *truth ? "yes" : "no";
-    if (value.is_number()) return format_number(value.number());
+    if (const long long* whole = value.integer()) return std::to_string(*whole);
+    if (const double* x = value.real()) return brief(*x);
     if (const std::string* text = value.text()) return *text;
     if (const ValueList* list = value.list()) return brief(*list);
     return brief(*value.map());
@@ -48,6 +63,7 @@ std::string summary(const Operation& operation, const Outcome& outcome) {
     std::size_t width = 0;
     for (const auto& [key, value] : *report) width = std::max(width, key.size());
     for (const auto& [key, value] : *report) {
+        if (value.is_null()) continue;
         if (key == "notes") {
             for (const Value& note : *value.list()) text += "  note: " + *note.text() + '\n';
         } else {

@@ -53,14 +53,11 @@ void visit_fields(const ContourReport& r, Visit&& visit) {
     visit("lines", r.lines, "what the lines are");
 }
 
-const SplineSurface& surface_input(std::span<const Input> inputs) {
-    if (inputs.size() != 1) {
-        throw Error("input.count", "input", std::to_string(inputs.size()),
-                    "this operation takes one input");
-    }
-    const SplineSurface* surface = std::get_if<SplineSurface>(&inputs.front().content);
+const SplineSurface& product_input(std::span<const Input> inputs) {
+    const SplineSurface* surface = std::get_if<SplineSurface>(&surface_input(inputs));
     if (!surface) {
-        throw Error("input.kind", "input", "no surface", "this operation takes a surface");
+        throw Error("input.kind", "input", "a surface with curved knot lines",
+                    "this operation takes a tensor product");
     }
     return *surface;
 }
@@ -105,7 +102,7 @@ Drawing contour_picture(const std::vector<Contour>& lines) {
 }
 
 Outcome run(std::span<const Input> inputs, const ContourOptions& options) {
-    const SplineSurface& surface = surface_input(inputs);
+    const SplineSurface& surface = product_input(inputs);
     ContourReport report;
     report.levels = options.levels.empty() ? round_levels(surface, options.count) : options.levels;
     std::vector<Contour> lines;

@@ -64,10 +64,10 @@ std::vector<std::string_view> split(std::string_view text, char mark) {
 }
 
 /// The two halves of `text` around `mark`.
-std::pair<std::string_view, std::string_view> halves(const std::string& text, char mark,
+std::pair<std::string_view, std::string_view> halves(std::string_view text, char mark,
                                                      const Slot& slot, const char* rule) {
     const std::vector<std::string_view> parts = split(text, mark);
-    if (parts.size() != 2) refuse(slot, text, rule);
+    if (parts.size() != 2) refuse(slot, std::string(text), rule);
     return {parts[0], parts[1]};
 }
 
@@ -108,6 +108,11 @@ void read(const Argument& argument, Tolerance& out, const Slot& slot) {
 
 void read(const Argument& argument, Angle& out, const Slot& slot) {
     out.radians = number(text_of(argument, slot), slot) * degree;
+}
+
+void read(const Argument& argument, AutoNumber& out, const Slot& slot) {
+    const std::string_view text = trimmed(text_of(argument, slot));
+    out.value = text == "auto" ? std::nullopt : std::optional(number(text, slot));
 }
 
 void read(const Argument& argument, IndexRange& out, const Slot& slot) {
@@ -161,7 +166,7 @@ void read(const Argument& argument, std::vector<FixedTangent>& out, const Slot& 
     out.clear();
     for (const std::string_view part : split(text_of(argument, slot), ',')) {
         const auto [index, angle] =
-            halves(std::string(part), ':', slot, "must be INDEX:DEGREES, for example 0:90");
+            halves(part, ':', slot, "must be INDEX:DEGREES, for example 0:90");
         out.push_back({whole(index, {slot.name, at_least(0)}),
                        Angle{number(angle, {slot.name, between(-1e6, 1e6)}) * degree}});
     }
@@ -196,6 +201,7 @@ Value shown(const Tolerance& x) {
     return format_number(x.value) + "r";
 }
 Value shown(const Angle& x) { return x.radians / degree; }
+Value shown(const AutoNumber& x) { return x.value ? Value(*x.value) : Value("auto"); }
 Value shown(const IndexRange& x) { return ValueList{x.from, x.to}; }
 Value shown(const Interval& x) { return ValueList{x.lo, x.hi}; }
 Value shown(const std::vector<int>& x) { return ValueList(x.begin(), x.end()); }
@@ -227,6 +233,7 @@ Spelling spelling(const double&) { return {FieldKind::number, "NUMBER"}; }
 Spelling spelling(const std::string&) { return {FieldKind::text, "TEXT"}; }
 Spelling spelling(const Tolerance&) { return {FieldKind::tolerance, "TOLERANCE"}; }
 Spelling spelling(const Angle&) { return {FieldKind::number, "DEGREES"}; }
+Spelling spelling(const AutoNumber&) { return {FieldKind::text, "NUMBER|auto"}; }
 Spelling spelling(const IndexRange&) { return {FieldKind::list, "FROM,TO"}; }
 Spelling spelling(const Interval&) { return {FieldKind::list, "A,B"}; }
 Spelling spelling(const std::vector<int>&) { return {FieldKind::list, "I,…"}; }

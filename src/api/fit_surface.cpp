@@ -23,16 +23,6 @@ void visit_fields(Options& o, Visit&& visit) {
     visit_fields(o.fit, visit);
 }
 
-const Source& grid_input(std::span<const Input> inputs) {
-    if (inputs.size() != 1) {
-        throw Error("input.count", "input", std::to_string(inputs.size()),
-                    "this operation takes one input");
-    }
-    const Source* source = std::get_if<Source>(&inputs.front().content);
-    if (!source) throw Error("input.kind", "input", "no grid", "this operation takes a grid");
-    return *source;
-}
-
 void take_lines(std::vector<double>& lines, const std::vector<double>& given, const char* axis) {
     if (given.empty()) return;
     if (given.size() != lines.size()) {
@@ -52,20 +42,12 @@ std::vector<OutputForm> surface_forms(const SplineSurface& surface, const GridFi
             {"stl", [=] { return stl_mesh(surface, places); }}};
 }
 
-Grid curved_heights(const CurvedKnotSurface& surface, const GridFile& grid) {
-    Grid z(grid.x.size(), grid.y.size());
-    for (std::size_t i = 0; i < grid.x.size(); ++i) {
-        for (std::size_t j = 0; j < grid.y.size(); ++j) z(i, j) = surface(grid.x[i], grid.y[j]);
-    }
-    return z;
-}
-
 Outcome run_curved(const GridFile& grid, const FitSurfaceOptions& options) {
     FitFrontOptions front;
     front.sigma = options.sigma;
     const FrontFit made = fit_front({grid.x, grid.y, grid.z, {}, {}, grid.sigma}, front);
-    const auto heights = [made, grid] { return curved_heights(made.surface, grid); };
-    return {made.surface,
+    const auto heights = [made, grid] { return heights_on(made.surface, grid.x, grid.y); };
+    return {Surface(made.surface),
             made.report.status,
             {},
             report_value(made.report),
@@ -75,7 +57,7 @@ Outcome run_curved(const GridFile& grid, const FitSurfaceOptions& options) {
 }
 
 Outcome run(std::span<const Input> inputs, const SurfaceRequest& request) {
-    GridFile grid = parse_grid(grid_input(inputs));
+    GridFile grid = grid_input(inputs);
     take_lines(grid.x, request.x, "x");
     take_lines(grid.y, request.y, "y");
     FitSurfaceOptions options = request.fit;
@@ -84,7 +66,7 @@ Outcome run(std::span<const Input> inputs, const SurfaceRequest& request) {
     if (options.knots == SurfaceKnots::curved) return run_curved(grid, options);
     SurfaceFit made = fit_surface({grid.x, grid.y, grid.z, {}, {}, grid.sigma}, options);
     made.report.notes.insert(made.report.notes.begin(), grid.notes.begin(), grid.notes.end());
-    return {made.surface,
+    return {Surface(made.surface),
             made.report.status,
             {},
             report_value(made.report),

@@ -1,8 +1,11 @@
 #include "api/machine_options.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "batten/base/error.hpp"
+#include "batten/make/sample.hpp"
 #include "batten/shape/arc_chain.hpp"
 #include "batten/shape/transform.hpp"
 
@@ -42,14 +45,41 @@ ArcChain moves_of(const Curve& curve) {
     return {*std::move(joints), std::vector<double>(curve.pieces(), 0.0)};
 }
 
+/// The feed to six digits, not above: more no machine reads.
+double short_feed(double feed) {
+    constexpr double kept = 1 + 0x1p-40;  // numbers of six digits stay what they are
+    const double digits = std::pow(10.0, 5 - std::floor(std::log10(feed)));
+    const double shorter = std::floor(feed * digits * kept) / digits;
+    return shorter > 0 && std::isfinite(shorter) ? shorter : feed;
+}
+
+/// The speed of each arc in units a minute; none where all have the one feed.
+std::vector<double> feeds_for(const ArcChain& moves, const MachineOptions& options) {
+    if (options.feed_law == Law::constant) return {};
+    constexpr double seconds = 60;  // a minute: the limits are told by the second
+    SampleOptions walk;
+    walk.law = options.feed_law;
+    walk.max_speed = options.feed / seconds;
+    walk.max_lateral = options.max_lateral;
+    walk.max_tangential = options.max_tangential;
+    std::vector<double> feeds = piece_speeds(moves, walk);
+    const double fastest = options.feed_law == Law::time_optimal
+                               ? options.feed / seconds
+                               : *std::max_element(feeds.begin(), feeds.end());
+    for (double& feed : feeds) feed = short_feed(feed * (options.feed / fastest));
+    return feeds;
+}
+
+std::string program_for(const Curve& curve, const MachineOptions& options) {
+    const ArcChain moves = moves_of(curve);
+    return gcode(moves, gcode_options(options), feeds_for(moves, options));
+}
+
 }  // namespace
 
-std::vector<OutputForm> machine_forms(const Curve& curve, const MachineOptions& options,
-                                      const std::vector<double>& feeds) {
+std::vector<OutputForm> machine_forms(const Curve& curve, const MachineOptions& options) {
     return {{"dxf", [curve, options] { return dxf(curve, dxf_options(options)); }},
-            {"gcode", [curve, options, feeds] {
-                 return gcode(moves_of(curve), gcode_options(options), feeds);
-             }}};
+            {"gcode", [curve, options] { return program_for(curve, options); }}};
 }
 
 }  // namespace batten::api

@@ -27,6 +27,12 @@ std::vector<std::string> choices_of(const std::optional<T>&) {
     return choices_of(T{});
 }
 
+template <class E>
+std::string bare_of(const E& member) {
+    if constexpr (BareEnum<E>) return std::string(name_of(bare_word(member)));
+    return {};
+}
+
 /// `a|b|c`.
 std::string joined(const std::vector<std::string>& words);
 
@@ -40,7 +46,8 @@ std::vector<Field> describe() {
         std::vector<std::string> choices = choices_of(member);
         fields.push_back({name, how.kind,
                           choices.empty() ? std::string(how.takes) : joined(choices), help,
-                          default_text(shown(member)), limits, std::move(choices), how.takes_file});
+                          default_text(shown(member)), limits, std::move(choices), how.takes_file,
+                          bare_of(member)});
     });
     return fields;
 }

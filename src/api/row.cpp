@@ -31,9 +31,28 @@ const PointsInput& points_input(std::span<const Input> inputs) {
     return *points;
 }
 
-Points points_of(const PointsInput& input) { return batten::points_of(input.table, input.columns); }
+const Surface& surface_input(std::span<const Input> inputs) {
+    const Surface* surface = std::get_if<Surface>(&single(inputs).content);
+    if (!surface) throw Error("input.kind", "input", "no surface", "this operation takes a surface");
+    return *surface;
+}
+
+GridFile grid_input(std::span<const Input> inputs) {
+    const Input& input = single(inputs);
+    if (const GridFile* grid = std::get_if<GridFile>(&input.content)) return *grid;
+    const Source* source = std::get_if<Source>(&input.content);
+    if (!source) throw Error("input.kind", "input", "no grid", "this operation takes a grid");
+    return parse_grid(*source);
+}
+
+Points points_of(const PointsInput& input) {
+    if (!input.borrowed) return batten::points_of(input.table, input.columns);
+    require_finite(*input.borrowed);
+    return Points(*input.borrowed);
+}
 
 std::vector<std::string> names_given(const PointsInput& input) {
+    if (input.borrowed) return coordinate_names(input.borrowed->dim());
     if (input.table.names.empty()) return coordinate_names(static_cast<int>(input.columns.size()));
     std::vector<std::string> names;
     for (const int column : input.columns) {
@@ -43,7 +62,7 @@ std::vector<std::string> names_given(const PointsInput& input) {
 }
 
 Error with_lines(const Error& error, const PointsInput& input) {
-    if (error.code().rfind("points.", 0) != 0) return error;
+    if (error.code().rfind("points.", 0) != 0 && error.rows().empty()) return error;
     if (error.rows().empty()) return error.at(input.table.source);
     std::string place = input.table.source;
     if (input.table.line_of_row.empty()) return error.at(place + ' ' + error.place());
@@ -51,6 +70,8 @@ Error with_lines(const Error& error, const PointsInput& input) {
     for (std::size_t i = 0; i < error.rows().size(); ++i) {
         place += (i > 0 ? " and " : " ") + std::to_string(input.table.line_of_row[error.rows()[i]]);
     }
+    const std::size_t column = error.place().find(", column ");
+    if (column != std::string::npos) place += error.place().substr(column);
     return error.at(place);
 }
 

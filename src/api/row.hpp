@@ -38,7 +38,8 @@ Operation row(Head head, Outcome (*run)(std::span<const Input>, const Options&))
                 Outcome outcome = run(inputs, options);
                 outcome.options = options_value(options);
                 return outcome;
-            }};
+            },
+            [](const std::vector<Setting>& settings) { options_from<Options>(settings); }};
 }
 
 /// The one curve of the inputs. Throws `input.kind`, `input.count`.
@@ -46,6 +47,13 @@ const Curve& curve_input(std::span<const Input> inputs);
 
 /// The one table of the inputs. Throws `input.kind`, `input.count`.
 const PointsInput& points_input(std::span<const Input> inputs);
+
+/// The one surface of the inputs. Throws `input.kind`, `input.count`.
+const Surface& surface_input(std::span<const Input> inputs);
+
+/// The one grid of the inputs, read where it is still a file. Throws `input.kind`, `input.count`,
+/// and what parse_grid throws.
+GridFile grid_input(std::span<const Input> inputs);
 
 /// The coordinates of a points input.
 Points points_of(const PointsInput& input);
@@ -79,5 +87,9 @@ Operation compare_row();
 Operation convert_row();
 Operation draw_row();
 Operation sample_row();
+Operation fit_row();
+Operation coons_row();
+Operation fair_row();
+Operation log_aesthetic_row();
 
 }  // namespace batten::api

@@ -28,13 +28,33 @@ Drawing picture(const Points& given, const Thinned& thinned, const ThinOptions& 
     return drawing;
 }
 
+/// The rows kept, with those of the other named columns that hold nothing but numbers.
+Rows rows_kept(const PointsInput& input, const Thinned& thinned) {
+    const Table& table = input.table;
+    if (table.names.empty()) return {names_given(input), thinned.points};
+    std::vector<int> columns;
+    std::vector<std::string> names;
+    for (int column = 0; column < table.columns(); ++column) {
+        if (table.bad[static_cast<std::size_t>(column)]) continue;
+        columns.push_back(column);
+        names.push_back(table.names[static_cast<std::size_t>(column)]);
+    }
+    Points cells(thinned.kept.size(), static_cast<int>(columns.size()));
+    for (std::size_t row = 0; row < thinned.kept.size(); ++row) {
+        for (std::size_t k = 0; k < columns.size(); ++k) {
+            cells(row, static_cast<int>(k)) = table.cells(thinned.kept[row], columns[k]);
+        }
+    }
+    return {std::move(names), std::move(cells)};
+}
+
 Outcome run(std::span<const Input> inputs, const ThinOptions& options) {
     const PointsInput& input = points_input(inputs);
     const Points points = points_of(input);
     Thinned thinned = naming_lines(input, [&] { return thin(points, options); });
     thinned.report.notes.insert(thinned.report.notes.begin(), input.table.notes.begin(),
                                 input.table.notes.end());
-    return {Rows{names_given(input), thinned.points}, thinned.report.status, {},
+    return {rows_kept(input, thinned), thinned.report.status, {},
             report_value(thinned.report),
             [points, thinned, options] { return picture(points, thinned, options); }};
 }

@@ -1,27 +1,14 @@
 #include "batten/shape/cubic_evaluator.hpp"
 
-#include <algorithm>
 #include <cassert>
+
+#include "shape/cubic_kernel.hpp"
 
 namespace batten {
 namespace {
 
-/// Cells a piece: with equal pieces, half of the cells hold no break.
-constexpr std::size_t cells_a_piece = 2;
-
-/// One coordinate of a run of parameters on one piece.
-template <int Order>
-void run_on(const double* c, double origin, std::span<const double> t, std::size_t stride,
-            std::size_t dim, double* out) {
-    const double c0 = c[0], c1 = c[1], c2 = c[2], c3 = c[3];
-    for (const double at : t) {
-        const double u = at - origin;
-        out[0] = c0 + u * (c1 + u * (c2 + u * c3));
-        if constexpr (Order > 0) out[dim] = c1 + u * (2 * c2 + u * 3 * c3);
-        if constexpr (Order > 1) out[2 * dim] = 2 * c2 + u * 6 * c3;
-        out += stride;
-    }
-}
+/// Cells a piece: where breaks lie at random, few cells hold more than one.
+constexpr std::size_t cells_a_piece = 4;
 
 }  // namespace
 
@@ -45,50 +32,20 @@ CubicEvaluator::CubicEvaluator(const PiecewiseCubic& curve)
     first_.resize(cells + 1);
     std::size_t piece = 0;
     for (std::size_t cell = 0; cell <= cells; ++cell) {
-        // Half a cell of room for the rounding of piece_of.
-        const double start = breaks_[0] + (static_cast<double>(cell) - 0.5) / cells_;
-        while (piece + 1 < pieces && breaks_[piece + 1] <= start) ++piece;
+        while (piece + 1 < pieces && cubics::cell_of(indexed(), breaks_[piece + 1]) < cell) ++piece;
         first_[cell] = static_cast<std::uint32_t>(piece);
     }
 }
 
-std::size_t CubicEvaluator::piece_of(double t) const {
-    const std::size_t last_cell = first_.size() - 1;
-    const double place = (t - breaks_[0]) * cells_;
-    if (!(place > 0)) return 0;
-    const std::size_t cell =
-        place < static_cast<double>(last_cell) ? static_cast<std::size_t>(place) : last_cell;
-    std::size_t lo = first_[cell];
-    std::size_t hi = cell + 2 < first_.size() ? first_[cell + 2] : breaks_.size() - 2;
-    while (hi - lo > 4) {
-        const std::size_t middle = lo + (hi - lo) / 2;
-        (breaks_[middle] <= t ? lo : hi) = middle;
-    }
-    while (lo < hi && breaks_[lo + 1] <= t) ++lo;
-    return lo;
+cubics::Indexed CubicEvaluator::indexed() const {
+    return {dim_,           breaks_, coefficients_.data(), last_point_.data(), first_.data(),
+            cells_, static_cast<double>(first_.size() - 2)};
 }
 
 void CubicEvaluator::evaluate(std::span<const double> t, int order, std::span<double> out) const {
     assert(order >= 0 && order <= 2);
-    const std::size_t stride = static_cast<std::size_t>(order + 1) * dim_;
-    assert(out.size() == t.size() * stride);
-    const double end = breaks_.back();
-    for (std::size_t first = 0; first < t.size();) {
-        const std::size_t piece = piece_of(t[first]);
-        const double lo = breaks_[piece], hi = breaks_[piece + 1];
-        std::size_t last = first + 1;
-        while (last < t.size() && lo <= t[last] && t[last] < hi) ++last;
-        const std::span<const double> run = t.subspan(first, last - first);
-        for (std::size_t k = 0; k < dim_; ++k) {
-            const double* const c = coefficients_.data() + 4 * (piece * dim_ + k);
-            double* const to = out.data() + first * stride + k;
-            if (order == 0) run_on<0>(c, lo, run, stride, dim_, to);
-            if (order == 1) run_on<1>(c, lo, run, stride, dim_, to);
-            if (order == 2) run_on<2>(c, lo, run, stride, dim_, to);
-            if (t[first] == end) *to = last_point_[k];
-        }
-        first = last;
-    }
+    assert(out.size() == t.size() * static_cast<std::size_t>(order + 1) * dim_);
+    cubics::evaluate(indexed(), t, order, out);
 }
 
 }  // namespace batten

@@ -109,12 +109,14 @@ SplineFunction derivative(const SplineFunction& spline) {
         const Interval d = spline.domain();
         return {{d.lo, d.hi}, {0.0}, 0};
     }
-    std::vector<double> slopes(c.size() - 1);
-    for (std::size_t j = 0; j < slopes.size(); ++j) {
+    std::vector<double> slopes, knots;
+    for (std::size_t j = 0; j + 1 < c.size(); ++j) {
         const double width = t[j + 1 + degree] - t[j + 1];
-        slopes[j] = width > 0 ? degree * (c[j + 1] - c[j]) / width : 0;
+        if (!(width > 0)) continue;  // a jump: its knot stands once less often
+        slopes.push_back(degree * (c[j + 1] - c[j]) / width);
+        knots.push_back(t[j + 1]);
     }
-    std::vector<double> knots(t.begin() + 1, t.end() - 1);
+    knots.insert(knots.end(), t.end() - 1 - degree, t.end() - 1);
     return spline.is_closed()
                ? SplineFunction::periodic(std::move(knots), std::move(slopes), degree - 1)
                : SplineFunction(std::move(knots), std::move(slopes), degree - 1);

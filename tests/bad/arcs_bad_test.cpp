@@ -4,25 +4,15 @@
 #include "batten/base/error.hpp"
 #include "batten/make/arcs.hpp"
 #include "batten/shape/piecewise_cubic.hpp"
+#include "errors.hpp"
 #include "shared.hpp"
 
 namespace batten {
-namespace {
+namespace arcs_bad_test {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double inf = std::numeric_limits<double>::infinity();
-
-std::string code_of(const std::function<void()>& call) {
-    try {
-        call();
-    } catch (const Error& error) {
-        EXPECT_FALSE(error.place().empty());
-        EXPECT_FALSE(error.value().empty());
-        EXPECT_FALSE(error.rule().empty());
-        return error.code();
-    }
-    return "no error";
-}
+using testing::code_of;
+using testing::inf;
+using testing::nan;
 
 const Points good({0, 0, 1, 1, 2, 1, 3, 0}, 2);
 
@@ -117,5 +107,5 @@ TEST(ArcChainBad, ChainsAreNamed) {
     EXPECT_EQ(code(Points({0, 0, 1e300, 0, 1e300, 1e-300}, 2), {0, 0}, false), "curve.arcs");
 }
 
-}  // namespace
+}  // namespace arcs_bad_test
 }  // namespace batten

@@ -6,22 +6,14 @@
 
 #include "batten/base/error.hpp"
 #include "batten/shape/bspline.hpp"
+#include "errors.hpp"
 
 namespace batten {
-namespace {
+namespace bspline_bad_test {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double inf = std::numeric_limits<double>::infinity();
-
-template <class F>
-std::string code_of(F&& f) {
-    try {
-        f();
-    } catch (const Error& error) {
-        return error.code();
-    }
-    return "none";
-}
+using testing::code_of;
+using testing::inf;
+using testing::nan;
 
 std::string basis_code(std::vector<double> knots, int degree) {
     return code_of([&] { BSplineBasis(knots, degree); });
@@ -94,5 +86,5 @@ TEST(BadBSplineCurve, OperationsAreRefused) {
     EXPECT_EQ(code_of([&] { to_bspline(two, std::vector<int>{-1}); }), "bspline.continuity");
 }
 
-}  // namespace
+}  // namespace bspline_bad_test
 }  // namespace batten

@@ -7,22 +7,15 @@
 #include "batten/io/svg_path.hpp"
 #include "batten/shape/bspline.hpp"
 #include "batten/shape/piecewise_cubic.hpp"
+#include "errors.hpp"
 
 namespace batten {
-namespace {
+namespace curve_readers_test {
 
-template <class F>
-std::string complaint(F&& f) {
-    try {
-        f();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "none";
-}
+using testing::complaint_of;
 
 std::string curve(const std::string& text) {
-    return complaint([&] { parse_curve({"c", text}); });
+    return complaint_of([&] { parse_curve({"c", text}); });
 }
 /// A piecewise cubic of these entries.
 std::string cubic(const std::string& entries) {
@@ -35,7 +28,7 @@ std::string arcs(const std::string& entries) {
     return curve("{\"format\": \"batten.curve/1\", \"kind\": \"arcs\", " + entries + "}");
 }
 std::string path(const std::string& data) {
-    return complaint([&] { parse_svg_path(data, "c"); });
+    return complaint_of([&] { parse_svg_path(data, "c"); });
 }
 
 const std::string breaks = "\"breaks\": [0, 1], ";
@@ -50,11 +43,12 @@ TEST(BadCurveFile, OfAnotherFormatOrKindIsRefused) {
     EXPECT_EQ(curve("{\"format\": \"batten.curve/2\"}"),
               "curve.format: c, entry format: batten.curve/2" + rule);
     EXPECT_EQ(curve("0,1\n"), "curve.format: c: '0'" + rule);
-    EXPECT_EQ(complaint([] { curve_of(ValueList{1, 2}, "c"); }),
+    EXPECT_EQ(complaint_of([] { curve_of(ValueList{1, 2}, "c"); }),
               "curve.format: c: a list of 2" + rule);
     EXPECT_EQ(curve(" \n"), "file.empty: c: no curve: the file must hold a curve");
     EXPECT_EQ(curve("{\"format\": \"batten.curve/1\", \"kind\": \"circle\"}"),
-              "curve.kind: c, entry kind: circle: piecewise-cubic, b-spline or arcs is needed here");
+              "curve.kind: c, entry kind: circle: piecewise-cubic, b-spline, arcs or log-aesthetic is "
+              "needed here");
     EXPECT_EQ(curve("{\"format\": \"batten.curve/1\"}").substr(0, 31),
               "curve.kind: c, entry kind: miss");
 }
@@ -183,18 +177,18 @@ TEST(InexactCurve, IsNotWritten) {
                                            for (double& x : out) x = 0;
                                        },
                                        2, {0, 1}, true};
-    EXPECT_EQ(complaint([&] { curve_value(circle); }),
+    EXPECT_EQ(complaint_of([&] { curve_value(circle); }),
               "curve.not-exact: curve: no polynomial: this curve has no exact file form: convert "
               "it to cubic pieces first");
-    EXPECT_EQ(complaint([&] { svg_path(circle); }),
+    EXPECT_EQ(complaint_of([&] { svg_path(circle); }),
               "curve.not-exact: curve: no polynomial: SVG path data take lines and cubics: convert "
               "the curve to cubic pieces first");
     const Curve quartic = BSplineCurve(BSplineBasis({0, 0, 0, 0, 0, 1, 1, 1, 1, 1}, 4), Points(5, 2));
-    EXPECT_EQ(complaint([&] { svg_path(quartic); }).substr(0, 33), "curve.not-exact: curve: degree 4:");
+    EXPECT_EQ(complaint_of([&] { svg_path(quartic); }).substr(0, 33), "curve.not-exact: curve: degree 4:");
     const Curve space = BSplineCurve(BSplineBasis({0, 0, 1, 1}, 1), Points(2, 3));
-    EXPECT_EQ(complaint([&] { svg_picture(space); }),
+    EXPECT_EQ(complaint_of([&] { svg_picture(space); }),
               "curve.dimension: curve: 3 coordinates: SVG path data take two coordinates");
 }
 
-}  // namespace
+}  // namespace curve_readers_test
 }  // namespace batten

@@ -4,25 +4,15 @@
 #include "batten/base/error.hpp"
 #include "batten/make/densify.hpp"
 #include "batten/make/thin.hpp"
+#include "errors.hpp"
 #include "shared.hpp"
 
 namespace batten {
-namespace {
+namespace densify_bad_test {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double inf = std::numeric_limits<double>::infinity();
-
-std::string code_of(const std::function<void()>& call) {
-    try {
-        call();
-    } catch (const Error& error) {
-        EXPECT_FALSE(error.place().empty());
-        EXPECT_FALSE(error.value().empty());
-        EXPECT_FALSE(error.rule().empty());
-        return error.code();
-    }
-    return "no error";
-}
+using testing::code_of;
+using testing::inf;
+using testing::nan;
 
 const Points good({0, 0, 1, 1, 2, 0, 3, 1, 4, 0}, 2);
 
@@ -130,5 +120,5 @@ TEST(ThinBad, InputIsNamed) {
     EXPECT_EQ(code(Points({0, 0, 1, 1, nan, 1, 2, 0}, 2), absolute(1)), "points.not-finite");
 }
 
-}  // namespace
+}  // namespace densify_bad_test
 }  // namespace batten

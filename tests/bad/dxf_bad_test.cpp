@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -11,20 +10,13 @@
 #include "batten/make/densify.hpp"
 #include "batten/shape/arc_chain.hpp"
 #include "curves.hpp"
+#include "errors.hpp"
 
 namespace batten {
-namespace {
+namespace dxf_bad_test {
 
-std::string code_of(const std::function<void()>& call) {
-    try {
-        call();
-    } catch (const Error& error) {
-        EXPECT_FALSE(error.place().empty());
-        EXPECT_FALSE(error.rule().empty());
-        return error.code();
-    }
-    return "no error";
-}
+using testing::code_of;
+using testing::nan;
 
 TEST(DxfBad, InputIsNamed) {
     const Curve piece = testing::bezier({0, 0, 1, 2, 3, 2.5, 4, 0});
@@ -49,8 +41,7 @@ TEST(GcodeBad, InputIsNamed) {
     const auto code = [&](const GcodeOptions& options, const std::vector<double>& feeds = {}) {
         return code_of([&] { gcode(chain, options, feeds); });
     };
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(code({}), "no error");
+    EXPECT_EQ(code({}), "none");
     for (const double feed : {0.0, -1.0, nan}) EXPECT_EQ(code({.feed = feed}), "option.range");
     EXPECT_EQ(code({.decimals = -1}), "option.range");
     EXPECT_EQ(code({.decimals = 10}), "option.range");
@@ -61,5 +52,5 @@ TEST(GcodeBad, InputIsNamed) {
     EXPECT_EQ(code_of([&] { gcode(huge); }), "gcode.too-large");
 }
 
-}  // namespace
+}  // namespace dxf_bad_test
 }  // namespace batten

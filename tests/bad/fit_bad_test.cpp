@@ -1,64 +1,60 @@
 #include "batten/base/error.hpp"
 #include "batten/make/fit_chunks.hpp"
+#include "batten/make/fit_curve.hpp"
+#include "errors.hpp"
 #include "fit_samples.hpp"
 
 /// Nonsense in, the right error out.
 namespace batten {
-namespace {
+namespace fit_bad_test {
 
 using testing::FitTable;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double inf = std::numeric_limits<double>::infinity();
+using testing::inf;
+using testing::nan;
 
 FitTable good() { return testing::noisy_curve(50, 1, 1); }
 
-std::string code_of(const FitTable& table, const FitOptions& options = {}) {
-    try {
-        fit(table.view(), options);
-    } catch (const Error& error) {
-        return error.code() + " " + error.place();
-    }
-    return "none";
+std::string refusal(const FitTable& table, const FitOptions& options = {}) {
+    return testing::code_and_place_of([&] { fit(table.view(), options); });
 }
 
 FitOptions given(std::vector<double> knots) {
     FitOptions options;
     options.knots = KnotPlacement::given;
-    options.knot_values = std::move(knots);
+    options.knots_values = std::move(knots);
     return options;
 }
 
 TEST(FitRefuses, FewerSamplesThanCoefficients) {
     FitTable table = good();
     for (auto* column : {&table.x, &table.y, &table.sigma}) column->resize(6);
-    EXPECT_EQ(code_of(table, given({3, 4, 5})), "fit.too-few samples");
+    EXPECT_EQ(refusal(table, given({3, 4, 5})), "fit.too-few samples");
     for (auto* column : {&table.x, &table.y, &table.sigma}) column->resize(3);
-    EXPECT_EQ(code_of(table), "fit.too-few samples");
-    EXPECT_EQ(code_of({}), "fit.too-few samples");
+    EXPECT_EQ(refusal(table), "fit.too-few samples");
+    EXPECT_EQ(refusal({}), "fit.too-few samples");
 }
 
 TEST(FitRefuses, SamplesWithoutWeightOnly) {
     FitTable table = good();
     table.sigma.assign(table.sigma.size(), inf);
-    EXPECT_EQ(code_of(table), "fit.too-few samples");
+    EXPECT_EQ(refusal(table), "fit.too-few samples");
 }
 
 TEST(FitRefuses, EqualAbscissae) {
     FitTable table = good();
     table.x.assign(table.x.size(), 3);
-    EXPECT_EQ(code_of(table), "fit.x-equal x");
+    EXPECT_EQ(refusal(table), "fit.x-equal x");
 }
 
 TEST(FitRefuses, ErrorsThatAreNotAboveZero) {
     for (const double sigma : {0.0, -1.0, nan, -inf}) {
         FitTable table = good();
         table.sigma[7] = sigma;
-        EXPECT_EQ(code_of(table), "fit.sigma row 7, column sigma") << sigma;
+        EXPECT_EQ(refusal(table), "fit.sigma row 7, column sigma") << sigma;
         FitOptions options;
         options.sigma = sigma;
         table.sigma.clear();
-        EXPECT_EQ(code_of(table, options), "fit.sigma sigma") << sigma;
+        EXPECT_EQ(refusal(table, options), "fit.sigma sigma") << sigma;
     }
 }
 
@@ -67,108 +63,161 @@ TEST(FitRefuses, ModelsThatGiveNoError) {
     table.sigma.clear();
     FitOptions options;
     options.sigma_model = {0, -1};
-    EXPECT_EQ(code_of(table, options), "fit.sigma-model row 0");
+    EXPECT_EQ(refusal(table, options), "fit.sigma-model row 0");
     options.sigma_model = {1};
-    EXPECT_EQ(code_of(table, options), "fit.sigma-model sigma_model");
+    EXPECT_EQ(refusal(table, options), "fit.sigma-model sigma_model");
 }
 
 TEST(FitRefuses, NumbersThatAreNotFinite) {
     for (const double bad : {nan, inf, -inf}) {
         FitTable table = good();
         table.x[7] = bad;
-        EXPECT_EQ(code_of(table), "points.not-finite row 7, column x");
+        EXPECT_EQ(refusal(table), "points.not-finite row 7, column x");
         table = good();
         table.y[49] = bad;
-        EXPECT_EQ(code_of(table), "points.not-finite row 49, column y");
+        EXPECT_EQ(refusal(table), "points.not-finite row 49, column y");
     }
 }
 
 TEST(FitRefuses, ColumnsOfDifferentLengths) {
     FitTable table = good();
     table.y.pop_back();
-    EXPECT_EQ(code_of(table), "fit.lengths samples");
+    EXPECT_EQ(refusal(table), "fit.lengths samples");
     table = good();
     table.sigma.pop_back();
-    EXPECT_EQ(code_of(table), "fit.lengths samples");
+    EXPECT_EQ(refusal(table), "fit.lengths samples");
 }
 
 TEST(FitRefuses, DistributionsThatAreNone) {
     FitOptions options;
     options.stop = StopRule::distribution;
     options.distribution = {0.68, 0.5};
-    EXPECT_EQ(code_of(good(), options), "fit.distribution probability 2");
+    EXPECT_EQ(refusal(good(), options), "fit.distribution probability 2");
     options.distribution = {0.68, 1.2};
-    EXPECT_EQ(code_of(good(), options), "fit.distribution probability 2");
+    EXPECT_EQ(refusal(good(), options), "fit.distribution probability 2");
     options.distribution = {nan};
-    EXPECT_EQ(code_of(good(), options), "fit.distribution probability 1");
+    EXPECT_EQ(refusal(good(), options), "fit.distribution probability 1");
     options.distribution.assign(11, 1);
-    EXPECT_EQ(code_of(good(), options), "fit.distribution distribution");
+    EXPECT_EQ(refusal(good(), options), "fit.distribution distribution");
     options.stop = StopRule::bic;
     options.distribution = {0.68};
-    EXPECT_EQ(code_of(good(), options), "fit.options distribution");
+    EXPECT_EQ(refusal(good(), options), "fit.options distribution");
 }
 
 TEST(FitRefuses, KnotsOutsideTheDataOrFalling) {
-    EXPECT_EQ(code_of(good(), given({-1})), "fit.knots knot 1");
-    EXPECT_EQ(code_of(good(), given({50, 100})), "fit.knots knot 2");
-    EXPECT_EQ(code_of(good(), given({50, 40})), "fit.knots knot 2");
-    EXPECT_EQ(code_of(good(), given({50, nan})), "fit.knots knot 2");
-    EXPECT_EQ(code_of(good(), given({50, 50, 50, 50, 50})), "fit.knots knot 5");
+    EXPECT_EQ(refusal(good(), given({-1})), "fit.knots knot 1");
+    EXPECT_EQ(refusal(good(), given({50, 101})), "fit.knots knot 2");
+    EXPECT_EQ(refusal(good(), given({50, 40})), "fit.knots knot 2");
+    EXPECT_EQ(refusal(good(), given({50, nan})), "fit.knots knot 2");
+    EXPECT_EQ(refusal(good(), given({50, 50, 50, 50, 50})), "fit.knots knot 5");
     FitOptions closed = given({40, 40});
     closed.closed = true;
-    EXPECT_EQ(code_of(good(), closed), "fit.knots knot 2");
+    EXPECT_EQ(refusal(good(), closed), "fit.knots knot 2");
 }
 
 TEST(FitRefuses, NoIntervals) {
     FitOptions options;
     options.intervals = 0;
-    EXPECT_EQ(code_of(good(), options), "fit.intervals intervals");
+    EXPECT_EQ(refusal(good(), options), "fit.intervals intervals");
 }
 
 TEST(FitRefuses, OptionsThatContradictEachOther) {
     FitOptions options;
     options.stop = StopRule::none;
-    EXPECT_EQ(code_of(good(), options), "fit.options stop");
+    EXPECT_EQ(refusal(good(), options), "fit.options stop");
     options = {};
-    options.knot_values = {50};
-    EXPECT_EQ(code_of(good(), options), "fit.options knot_values");
+    options.knots_values = {50};
+    options.knots = KnotPlacement::equal;
+    EXPECT_EQ(refusal(good(), options), "fit.options knots_values");
     options = {};
     options.free_from = 10;
-    EXPECT_EQ(code_of(good(), options), "fit.options free_from");
+    EXPECT_EQ(refusal(good(), options), "fit.options free_from");
     options = given({50});
     options.intervals = 3;
-    EXPECT_EQ(code_of(good(), options), "fit.options intervals");
+    EXPECT_EQ(refusal(good(), options), "fit.options intervals");
     options = {};
     options.knots = KnotPlacement::free;
     options.degree = 0;
-    EXPECT_EQ(code_of(good(), options), "fit.options degree");
+    EXPECT_EQ(refusal(good(), options), "fit.options degree");
     options.degree = 3;
     options.closed = true;
-    EXPECT_EQ(code_of(good(), options), "fit.options closed");
+    EXPECT_EQ(refusal(good(), options), "fit.options closed");
     options = {};
     options.degree = 10;
-    EXPECT_EQ(code_of(good(), options), "option.range degree");
+    EXPECT_EQ(refusal(good(), options), "option.range degree");
     options = {};
     options.delta2 = -1;
-    EXPECT_EQ(code_of(good(), options), "option.range delta2, free_from");
+    EXPECT_EQ(refusal(good(), options), "option.range delta2, free_from");
+}
+
+TEST(FitRefuses, LimitsAndTolerancesThatContradictTheRest) {
+    FitOptions options;
+    options.start_value = 1;
+    options.closed = true;
+    EXPECT_EQ(refusal(good(), options), "fit.options closed");
+    options = {};
+    options.convex = Direction::up;
+    options.degree = 0;
+    EXPECT_EQ(refusal(good(), options), "fit.options degree");
+    options = {};
+    options.tolerance = absolute(0);
+    EXPECT_EQ(refusal(good(), options), "option.range tolerance");
+    options.tolerance = absolute(1);
+    options.intervals = 4;
+    EXPECT_EQ(refusal(good(), options), "fit.options tolerance");
+    options = {};
+    options.knots = KnotPlacement::pruned;
+    options.intervals = 4;
+    EXPECT_EQ(refusal(good(), options), "fit.options knots");
+    options.intervals.reset();
+    options.closed = true;
+    EXPECT_EQ(refusal(good(), options), "fit.options closed");
+}
+
+TEST(FitSays, WhereLimitsCannotBeKept) {
+    FitOptions options;
+    options.degree = 1;
+    options.intervals = 1;
+    options.start_value = 0;
+    options.start_slope = 1;
+    options.end_value = 0;
+    EXPECT_EQ(fit(good().view(), options).report.status, Status::not_met);
+}
+
+TEST(FitCurveRefuses, WhatMakesNoSenseForACurve) {
+    const auto code = [](const Points& points, const FitOptions& options,
+                          const std::vector<double>& sigma = {}) {
+        return testing::code_and_place_of([&] { fit_curve(points, sigma, options); });
+    };
+    const Points points({0, 0, 1, 1, 2, 0, 3, 1, 4, 0, 5, 1}, 2);
+    EXPECT_EQ(code(Points(5, 1), {}), "points.dimension points");
+    EXPECT_EQ(code(points, {}, {1, 1}), "fit.lengths sigma");
+    EXPECT_EQ(code(points, {}, {1, 1, 0, 1, 1, 1}), "fit.sigma row 2, column sigma");
+    EXPECT_EQ(code(Points({1, 1, 1, 1, 1, 1, 1, 1, 1, 1}, 2), {}), "points.all-equal points");
+    FitOptions options;
+    options.robust = Robust::reject;
+    EXPECT_EQ(code(points, options), "fit.options robust");
+    options = {};
+    options.knots = KnotPlacement::free;
+    EXPECT_EQ(code(points, options), "fit.options knots");
+    options = {};
+    options.monotone = Direction::up;
+    EXPECT_EQ(code(points, options), "fit.options limits");
+    options = {};
+    options.degree = 0;
+    EXPECT_EQ(code(points, options), "fit.options degree");
+    EXPECT_EQ(code(Points({0, 0, 1, 1}, 2), {}), "fit.too-few samples");
 }
 
 TEST(FitRefuses, ResultsBeyondADouble) {
     FitTable table = good();
     for (double& y : table.y) y *= 1e306;
     for (double& s : table.sigma) s = 1;
-    EXPECT_EQ(code_of(table, given({1e-3})).substr(0, 15), "number.overflow");
+    EXPECT_EQ(refusal(table, given({1e-3})).substr(0, 15), "number.overflow");
 }
 
 TEST(FitChunkRefuses, WhatDoesNotBelongToIt) {
-    const auto code = [](auto action) -> std::string {
-        try {
-            action();
-        } catch (const Error& error) {
-            return error.code();
-        }
-        return "none";
-    };
+    const auto code = [](auto action) { return testing::code_of(action); };
     FitChunk chunk({0, 100}, {50}, 3);
     EXPECT_EQ(code([&] { chunk.merge(FitChunk({0, 100}, {51}, 3)); }), "fit.chunks-differ");
     EXPECT_EQ(code([&] { chunk.merge(FitChunk({0, 100}, {50}, 2)); }), "fit.chunks-differ");
@@ -181,5 +230,5 @@ TEST(FitChunkRefuses, WhatDoesNotBelongToIt) {
     EXPECT_EQ(code([&] { chunk.add(table.view()); }), "fit.outside");
 }
 
-}  // namespace
+}  // namespace fit_bad_test
 }  // namespace batten

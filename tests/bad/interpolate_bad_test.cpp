@@ -6,29 +6,22 @@
 
 #include "batten/base/error.hpp"
 #include "batten/make/interpolate.hpp"
+#include "batten/make/natural_spline.hpp"
+#include "errors.hpp"
 
 namespace batten {
-namespace {
+namespace interpolate_bad_test {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double inf = std::numeric_limits<double>::infinity();
+using testing::complaint_of;
+using testing::inf;
+using testing::nan;
 
 const Points zigzag({0, 0, 1, 1, 2, 0, 3, 1}, 2);
 
-template <class F>
-std::string message_from(F&& f) {
-    try {
-        f();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "none";
-}
-
 /// `code: place: value: rule` of the error, or "none"; the same with and without a report.
 std::string message_of(PointsView points, const InterpolateOptions& options) {
-    const std::string message = message_from([&] { curve_through(points, options); });
-    EXPECT_EQ(message, message_from([&] { interpolate(points, options); }));
+    const std::string message = complaint_of([&] { curve_through(points, options); });
+    EXPECT_EQ(message, complaint_of([&] { interpolate(points, options); }));
     return message;
 }
 
@@ -208,5 +201,42 @@ TEST(BadWeightExponents, AreRefused) {
     }
 }
 
-}  // namespace
+std::string message_in_bulk(PointsView points, std::size_t breaks, std::size_t numbers) {
+    std::vector<double> own_breaks(breaks), block(numbers);
+    return complaint_of([&] { natural_spline(points, own_breaks, block); });
+}
+
+TEST(NaturalSpline, InBulkRefusesWhatNaturalChordRefuses) {
+    const std::vector<std::vector<double>> all{
+        {},
+        {0, 0},
+        {0, 0, 1, 1, 1, 1, 2, 0},
+        {3, 4, 3, 4, 3, 4},
+        {0, 0, nan, 1, 2, 2},
+        {0, 0, 1, inf, 2, 2},
+        {0, 0, 1e-200, 0, 1, 1},
+        {0, 0, 1e200, 0, 1, 1},
+        {-1e308, 0, 1e308, 0, 1, 1},
+        {0, 0, 1, 0, 1, 1e-17, 2, 0},
+    };
+    for (const std::vector<double>& coordinates : all) {
+        const Points points(coordinates, 2);
+        const std::string message = message_of(points, by(Method::natural_chord));
+        EXPECT_NE(message, "none");
+        EXPECT_EQ(message_in_bulk(points, points.size(), 8 * points.size()), message);
+    }
+}
+
+TEST(NaturalSpline, InBulkAsksForThePlaneAndForEnoughMemory) {
+    const auto code = [](PointsView points, std::size_t breaks, std::size_t numbers) {
+        const std::string message = message_in_bulk(points, breaks, numbers);
+        return message.substr(0, message.find(':'));
+    };
+    EXPECT_EQ(code(zigzag, 4, 32), "none");
+    EXPECT_EQ(code(zigzag, 3, 32), "curve.coefficients");
+    EXPECT_EQ(code(zigzag, 4, 24), "curve.coefficients");
+    EXPECT_EQ(code(Points({0, 0, 0, 1, 1, 1}, 3), 2, 16), "points.dimension");
+}
+
+}  // namespace interpolate_bad_test
 }  // namespace batten

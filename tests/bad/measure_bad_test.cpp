@@ -13,28 +13,18 @@
 #include "batten/measure/measure.hpp"
 #include "batten/measure/nearest.hpp"
 #include "curves.hpp"
+#include "errors.hpp"
 
 namespace batten {
-namespace {
+namespace measure_bad_test {
 
 using namespace batten::testing;
 
-template <class Work>
-std::string code_of(Work work) {
-    try {
-        work();
-    } catch (const Error& error) {
-        return error.code();
-    }
-    return "no error";
-}
-
-const double nan = std::numeric_limits<double>::quiet_NaN();
 const Curve plane = bezier({0, 0, 1, 2, 3, 3, 4, 0});
 const Curve space = bezier({0, 0, 0, 1, 2, 0, 0, 1, 3, 2, 0, 1}, 3);
 
 TEST(MeasuresRefuse, TolerancesThatAreNotPositive) {
-    for (const double value : {0.0, -1.0, nan, std::numeric_limits<double>::infinity()}) {
+    for (const double value : {0.0, -1.0, nan, inf}) {
         EXPECT_EQ(code_of([&] { length(plane, absolute(value)); }), "option.range");
         EXPECT_EQ(code_of([&] { centroid(plane, relative(value)); }), "option.range");
         EXPECT_EQ(code_of([&] { measure(plane, {relative(value)}); }), "option.range");
@@ -139,5 +129,5 @@ TEST(Compare, SaysWhetherTheToleranceIsMet) {
     EXPECT_EQ(compare(line, {above, absolute(0.29)}).within, false);
 }
 
-}  // namespace
+}  // namespace measure_bad_test
 }  // namespace batten

@@ -9,26 +9,21 @@
 #include "batten/io/json.hpp"
 #include "batten/io/table.hpp"
 #include "batten/io/write_points.hpp"
+#include "errors.hpp"
 #include "shared.hpp"
 
 namespace batten {
-namespace {
+namespace readers_test {
+
+using testing::complaint_of;
+using testing::inf;
+using testing::nan;
 
 namespace fs = std::filesystem;
 
-template <class F>
-std::string complaint(F&& f) {
-    try {
-        f();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "none";
-}
-
 std::string points_complaint(const std::string& name, const std::string& text,
                              const std::string& picks = {}) {
-    return complaint([&] {
+    return complaint_of([&] {
         const Table table = parse_table({name, text});
         points_of(table, coordinate_columns(table, picks));
     });
@@ -39,16 +34,16 @@ std::string csv(const std::string& text, const std::string& picks = {}) {
 std::string npy(const std::string& text) { return points_complaint("p.npy", text); }
 
 TEST(BadFile, IsNamedWithTheReason) {
-    EXPECT_EQ(complaint([] { read_source("no/such.csv"); }),
+    EXPECT_EQ(complaint_of([] { read_source("no/such.csv"); }),
               "file.missing: no/such.csv: no such file: the input file must exist");
-    EXPECT_EQ(complaint([] { read_source(""); }),
+    EXPECT_EQ(complaint_of([] { read_source(""); }),
               "file.missing: '': no such file: the input file must exist");
     const std::string file = testing::scratch_file("readers/file.txt");
     write_file(file, "x");
     const std::string folder = fs::path(file).parent_path().string();
-    EXPECT_EQ(complaint([&] { read_source(folder); }),
+    EXPECT_EQ(complaint_of([&] { read_source(folder); }),
               "file.directory: " + folder + ": a folder: the input must be a file");
-    EXPECT_EQ(complaint([&] { read_source(file + "/below.csv"); }),
+    EXPECT_EQ(complaint_of([&] { read_source(file + "/below.csv"); }),
               "file.missing: " + file + "/below.csv: no such file: the input file must exist");
     fs::remove(file);
 }
@@ -57,14 +52,14 @@ TEST(BadFile, ThatCannotBeReadIsNamed) {
     // Opens, but its first page is not mapped: reading it fails, whoever reads.
     const char* const unreadable = "/proc/self/mem";
     if (!fs::exists(unreadable)) GTEST_SKIP() << "needs " << unreadable;
-    EXPECT_EQ(complaint([&] { read_source(unreadable); }).substr(0, 15), "file.unreadable");
+    EXPECT_EQ(complaint_of([&] { read_source(unreadable); }).substr(0, 15), "file.unreadable");
 }
 
 TEST(BadFile, ThatIsTooLargeIsRefusedUnread) {
     const std::string file = testing::scratch_file("readers/large.csv");
     write_file(file, "1,2\n");
     fs::resize_file(file, most_bytes + 1);
-    EXPECT_EQ(complaint([&] { read_source(file); }),
+    EXPECT_EQ(complaint_of([&] { read_source(file); }),
               "file.too-large: " + file + ": more than 1073741824 bytes: at most 1073741824 bytes "
               "are read");
     fs::remove(file);
@@ -73,14 +68,14 @@ TEST(BadFile, ThatIsTooLargeIsRefusedUnread) {
 TEST(BadOutput, NamesItsFolder) {
     const std::string file = testing::scratch_file("readers/out.txt");
     const std::string folder = fs::path(file).parent_path().string();
-    EXPECT_EQ(complaint([&] { write_file(folder + "/none/out.txt", "x"); }),
+    EXPECT_EQ(complaint_of([&] { write_file(folder + "/none/out.txt", "x"); }),
               "file.unwritable: " + folder + "/none/out.txt: no such folder: the folder " + folder +
                   "/none must exist and allow writing");
-    EXPECT_EQ(complaint([&] { write_file(folder, "x"); }).substr(0, 15), "file.unwritable");
-    EXPECT_EQ(complaint([] { write_file("", "x"); }),
+    EXPECT_EQ(complaint_of([&] { write_file(folder, "x"); }).substr(0, 15), "file.unwritable");
+    EXPECT_EQ(complaint_of([] { write_file("", "x"); }),
               "file.unwritable: '': no name: the folder . must exist and allow writing");
     write_file(file, "x");
-    EXPECT_EQ(complaint([&] { write_file(file + "/below.txt", "x"); }),
+    EXPECT_EQ(complaint_of([&] { write_file(file + "/below.txt", "x"); }),
               "file.unwritable: " + file + "/below.txt: not a folder: the folder " + file +
                   " must exist and allow writing");
     fs::remove(file);
@@ -259,13 +254,13 @@ TEST(BadNumPyFile, OfAnotherShapeIsRefused) {
 
 TEST(BadNumPyFile, WithANumberThatIsNotFiniteIsRefused) {
     const std::string file = testing::source_file("tests/fuzz/corpus/npy/not_finite.npy");
-    EXPECT_EQ(complaint([&] { read_points(file); }),
+    EXPECT_EQ(complaint_of([&] { read_points(file); }),
               "points.not-finite: " + file + " row 2, column #1: nan: coordinates must be finite");
 }
 
 TEST(BadJson, IsPlacedByLineAndColumn) {
     const auto json = [](const std::string& text) {
-        return complaint([&] { parse_json(text, "j"); });
+        return complaint_of([&] { parse_json(text, "j"); });
     };
     const struct {
         const char* text;
@@ -305,31 +300,29 @@ TEST(BadJson, IsPlacedByLineAndColumn) {
 
 TEST(BadJson, CannotEatTheMemory) {
     const auto json = [](const std::string& text) {
-        return complaint([&] { parse_json(text, "j"); });
+        return complaint_of([&] { parse_json(text, "j"); });
     };
     EXPECT_EQ(json(std::string(1'000'000, '[')), "json.too-deep: j line 1, column 65: more than 64: "
                                                  "at most 64 lists and maps may lie inside one "
                                                  "another");
     EXPECT_EQ(json(std::string(64, '[') + std::string(64, ']')), "none");
     const std::string list = "[[1, 2],\n[3]]";
-    EXPECT_EQ(complaint([&] { parse_json(list, "j", {.values = 6}); }), "none");
-    EXPECT_EQ(complaint([&] { parse_json(list, "j", {.values = 5}); }),
+    EXPECT_EQ(complaint_of([&] { parse_json(list, "j", {.values = 6}); }), "none");
+    EXPECT_EQ(complaint_of([&] { parse_json(list, "j", {.values = 5}); }),
               "json.too-large: j line 2, column 2: more than 5: at most 5 values are read");
 }
 
 TEST(BadNumbers, AreNeverWritten) {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const double inf = std::numeric_limits<double>::infinity();
-    EXPECT_EQ(complaint([&] { dump_json(ValueList{nan}); }),
+    EXPECT_EQ(complaint_of([&] { dump_json(ValueList{nan}); }),
               "number.overflow: output: nan: results must lie within the range of a double");
     const Points points({0, 1, 2, -inf}, 2);
-    for (const auto& write : {complaint([&] { csv_points(points, {}); }),
-                              complaint([&] { json_points(points); }),
-                              complaint([&] { npy_points(points); })}) {
+    for (const auto& write : {complaint_of([&] { csv_points(points, {}); }),
+                              complaint_of([&] { json_points(points); }),
+                              complaint_of([&] { npy_points(points); })}) {
         EXPECT_EQ(write, "number.overflow: output row 1, column 1: -inf: results must lie within "
                          "the range of a double");
     }
 }
 
-}  // namespace
+}  // namespace readers_test
 }  // namespace batten

@@ -7,24 +7,13 @@
 #include "batten/make/motion.hpp"
 #include "batten/make/sample.hpp"
 #include "curves.hpp"
+#include "errors.hpp"
 
 namespace batten {
-namespace {
+namespace sample_bad_test {
 
 using namespace batten::testing;
 
-template <class Work>
-std::string code_of(Work work) {
-    try {
-        work();
-    } catch (const Error& error) {
-        return error.code();
-    }
-    return "no error";
-}
-
-const double nan = std::numeric_limits<double>::quiet_NaN();
-const double infinity = std::numeric_limits<double>::infinity();
 const Curve plane = bezier({0, 0, 1, 2, 3, 3, 4, 0});
 
 SampleOptions by(Law law) {
@@ -39,12 +28,12 @@ std::string refusal(const SampleOptions& options) {
 }
 
 TEST(ArcLengthMapRefuses, TolerancesThatAreNotPositiveAndPlacesOffTheCurve) {
-    for (const double value : {0.0, -1.0, nan, infinity}) {
+    for (const double value : {0.0, -1.0, nan, inf}) {
         EXPECT_EQ(code_of([&] { ArcLengthMap(plane, relative(value)); }), "option.range");
         EXPECT_EQ(code_of([&] { ArcLengthMap(plane, absolute(value)); }), "option.range");
     }
     const ArcLengthMap map(plane);
-    for (const double s : {-1e-9, 1.1 * map.length(), nan, infinity}) {
+    for (const double s : {-1e-9, 1.1 * map.length(), nan, inf}) {
         EXPECT_EQ(code_of([&] { map.t_of(s); }), "curve.outside");
         EXPECT_EQ(code_of([&] {
                       std::vector<double> many{0, s}, t(2);
@@ -77,7 +66,7 @@ TEST(SampleRefuses, CountsThatAreMissingTwiceGivenOrTooLarge) {
         options.count = count;
         EXPECT_EQ(refusal(options), "option.range") << count;
     }
-    for (const double bad : {0.0, -1.0, nan, infinity}) {
+    for (const double bad : {0.0, -1.0, nan, inf}) {
         options = {};
         options.spacing = bad;
         EXPECT_EQ(refusal(options), "option.range") << bad;
@@ -92,7 +81,7 @@ TEST(SampleRefuses, WeightsThatAreNone) {
     steps.law = Law::relative;
     EXPECT_EQ(refusal(steps), "option.missing");
     for (const Points& bad : {Points({1, -1, 2}, 1), Points({0, 0}, 1), Points({1, nan}, 1),
-                              Points({1, infinity}, 1)}) {
+                              Points({1, inf}, 1)}) {
         steps.weights = bad;
         EXPECT_EQ(refusal(steps), "motion.weights");
     }
@@ -145,7 +134,7 @@ TEST(SampleRefuses, LawsWithoutWhatTheyNeed) {
     fastest.duration = 4;
     EXPECT_EQ(refusal(fastest), "sample.options");
     fastest.duration.reset();
-    for (const double bad : {0.0, -1.0, nan, infinity}) {
+    for (const double bad : {0.0, -1.0, nan, inf}) {
         fastest.max_lateral = bad;
         EXPECT_EQ(refusal(fastest), "option.range");
     }
@@ -212,5 +201,5 @@ TEST(PaperMethodRefuses, WhatItCannotWalk) {
     EXPECT_EQ(refused(Points({0, 0, 1, 0, 1, 1}, 2)), "sample.options");
 }
 
-}  // namespace
+}  // namespace sample_bad_test
 }  // namespace batten

@@ -2,20 +2,14 @@
 
 #include "batten/base/error.hpp"
 #include "batten/shape/spline_function.hpp"
+#include "errors.hpp"
 #include "shared.hpp"
 
 namespace batten {
-namespace {
+namespace spline_function_bad_test {
 
-template <class Action>
-std::string code_of(Action action) {
-    try {
-        action();
-    } catch (const Error& error) {
-        return error.code();
-    }
-    return "none";
-}
+using testing::code_of;
+using testing::nan;
 
 using List = std::vector<double>;
 
@@ -24,7 +18,6 @@ std::string code_of(List knots, List coefficients, int degree) {
 }
 
 TEST(SplineFunctionRefuses, KnotsThatMakeNoBasis) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(code_of({0, 0, 1, 1}, {1, 2}, 1), "none");
     EXPECT_EQ(code_of({0, 0, 1}, {1, 2}, 1), "spline.knots");
     EXPECT_EQ(code_of({0, 1}, {}, 1), "spline.knots");
@@ -54,5 +47,5 @@ TEST(SplineFunctionRefuses, ChangesThatCannotBe) {
     EXPECT_EQ(code_of([&] { graph_cubic(elevate_degree(s, 3)); }), "spline.degree");
 }
 
-}  // namespace
+}  // namespace spline_function_bad_test
 }  // namespace batten

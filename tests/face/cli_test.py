@@ -6,6 +6,7 @@ usage: cli_test.py COMMAND SOURCE_FOLDER
 import json
 import math
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -95,10 +96,47 @@ class Results(Folder):
 
     def test_every_method_goes_through_the_points(self):
         for method in ("pseudo-spline", "natural-uniform", "natural-chord", "hermite-chord",
-                       "hermite-arc", "spline", "lagrange-2", "lagrange-3", "arc-chain"):
+                       "hermite-arc", "spline", "lagrange-2", "lagrange-3", "arc-chain",
+                       "log-aesthetic"):
             curve = self.good("interpolate", points("violin.csv"), "--method", method).stdout
             compared = self.report("compare", "-", "--to", points("violin.csv"), input=curve)
             self.assertLess(compared["report"]["max"], 1e-12 * 400)
+
+    def test_a_log_aesthetic_segment_is_a_curve_that_other_verbs_read(self):
+        segment = self.good("log-aesthetic", "--points", "0,0,1,0,1,1", "--alpha", "0.5").stdout
+        measured = self.report("measure", "-", input=segment)
+        self.assertAlmostEqual(measured["report"]["length"], math.pi / 2, delta=1e-13)
+        report = self.report("log-aesthetic", "--points", "0,0,1,0,1.3,0.9", "--alpha", "2",
+                             "-o", self.path("c.json"), "--draw", self.path("c.svg"))
+        self.assertTrue(report["report"]["drawable"])
+        self.assertEqual(len(report["report"]["curvatures"]), 2)
+        self.good("draw", self.path("c.json"), "--lcg", "-o", self.path("lcg.svg"))
+
+    def test_an_undrawable_segment_exits_3_and_writes_no_curve(self):
+        done = self.run_command("log-aesthetic", "--points", "0,0,1,0,1,20", "--alpha=-1",
+                                "-o", "c.json", "--draw", "c.svg", "--report", "r.json")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("no arc of alpha -1", done.stderr)
+        self.assertEqual(sorted(os.listdir(self.folder.name)), ["r.json"])
+        with open(self.path("r.json"), encoding="utf-8") as stream:
+            self.assertEqual(json.load(stream)["status"], "not_met")
+
+    def test_noisy_points_come_out_fair_in_the_columns_they_were_given(self):
+        rows = "\n".join(f"{t},{t * 0.1!r},{math.sin(t * 0.1) + 0.001 * (t * 7 % 5 - 2)!r}"
+                         for t in range(60))
+        table = self.file("p.csv", "n,east,north\n" + rows + "\n")
+        report = self.report("fair", table, "--columns", "east,north", "--tolerance", "0.01",
+                             "-o", self.path("f.csv"), "--draw", self.path("f.svg"))["report"]
+        self.assertLessEqual(report["max_displacement"], 0.01)
+        for key in ("alpha", "sweeps", "rms_displacement", "linearity_residual", "segments"):
+            self.assertIn(key, report)
+        with open(self.path("f.csv"), encoding="utf-8") as stream:
+            lines = stream.read().splitlines()
+        self.assertEqual((lines[0], len(lines)), ("east,north", 61))
+        arcs = self.good("fair", table, "--columns", "east,north", "--as", "arcs").stdout
+        self.assertEqual(json.loads(arcs)["kind"], "log-aesthetic")
+        self.good("fair", table, "--columns", "east,north", "--engine", "filter", "--alpha=-1",
+                  "--spacing", "kept", "--split", "--tolerance", "0.01", "--sweeps", "1000")
 
     def test_compare_exits_3_where_a_point_is_out_of_tolerance(self):
         self.good("interpolate", points("violin.csv"), "-o", self.path("c.json"))
@@ -189,12 +227,23 @@ class Results(Folder):
         self.good("draw", self.path("c.json"), "-o", self.path("d.svg"))
         self.assertGreater(os.path.getsize(self.path("c.svg")), os.path.getsize(self.path("d.svg")))
 
+    def test_options_may_stand_before_the_input(self):
+        self.good("interpolate", "--method", "natural-chord", points("violin.csv"))
+        self.good("fit", "--degree", "2", fits("titanium.csv"))
+
     def test_help_of_every_verb_lists_its_options(self):
         top = self.good("--help").stdout
-        for verb in ("interpolate", "densify", "thin", "arcs", "sample", "measure", "evaluate",
-                     "compare", "convert", "draw"):
-            self.assertIn(verb, top)
-            self.assertIn("--report", self.good(verb, "--help").stdout)
+        verbs = top.split("Verbs:\n")[1].split("\n\n")[0].splitlines()
+        names = [line.split()[0] for line in verbs if not line.startswith("   ")]
+        self.assertGreaterEqual(len(names), 15)
+        for verb in names:
+            text = self.good(verb, "--help").stdout
+            self.assertIn("--quiet", text)
+            self.assertLessEqual(max(len(line) for line in text.splitlines()), 100, verb)
+            self.assertNotIn("\n\n\n", text)
+            self.assertIn("Usage: batten " + verb + " ", text)
+        self.assertIn("batten interpolate POINTS ", self.good("interpolate", "--help").stdout)
+        self.assertNotIn("--draw ", self.good("draw", "--help").stdout)
         self.assertIn("--weight-exponent", self.good("interpolate", "--help").stdout)
 
     def test_progress_is_told_on_standard_error_only_when_it_is_wanted(self):
@@ -239,6 +288,26 @@ class MorePointsAndArcs(Folder):
         self.assertEqual(report["points_in"], 247)
         self.assertLess(report["points_out"], 20)
         self.assertLessEqual(report["max_error"], 1e-2)
+
+    def test_thin_keeps_the_other_columns_of_its_rows(self):
+        rows = ["time,x,y,label,z2"] + [f"{i},{i * 0.1},0,p{i},{i * i}" for i in range(11)]
+        done = self.good("thin", "-", "--tolerance", "1e-3", input="\n".join(rows))
+        self.assertEqual(done.stdout.splitlines()[0], "time,x,y,z2")
+        self.assertEqual(done.stdout.splitlines()[-1], "10,1,0,100")
+
+    def test_the_summary_of_arcs_is_short(self):
+        summary = self.good("arcs", "-", input=HALF_ELLIPSE).stderr
+        self.assertLess(max(len(line) for line in summary.splitlines()), 80)
+
+    def test_arcs_slow_down_by_a_law_of_motion(self):
+        self.good("arcs", "-", "--feed", "300", "--feed-law", "smoothstep", "-o",
+                  self.path("a.gcode"), input=HALF_ELLIPSE)
+        with open(self.path("a.gcode"), encoding="utf-8") as stream:
+            # the two arcs in the middle take the same time
+            feeds = [float(line.split("F")[1]) for line in stream if "F" in line]
+        self.assertEqual((max(feeds), len(feeds)), (300, 5))
+        self.refused("option.missing", "arcs", "-", "--feed-law", "time-optimal", "-o",
+                     self.path("b.gcode"), input=HALF_ELLIPSE)
 
     def test_the_papers_chain_of_arcs_has_the_papers_radii(self):
         for start in (("--start-angle", "90"), ("--start-normal", "0"), ("--start-normal", "180")):
@@ -323,6 +392,196 @@ class MorePointsAndArcs(Folder):
         self.refused("curve.not-exact", "convert", "c.json", "-o", "c.gcode")
         self.refused("dxf.needs-r2000", "convert", "c.json", "-o", "c.dxf", "--dxf-version", "r12")
         self.refused("arcs.start-not-taken", "arcs", "c.json", "--start-angle", "0")
+def fits(name):
+    return os.path.join(POINTS, "..", "fits", name)
+
+
+class Fits(Folder):
+    """batten fit"""
+
+    def test_the_titanium_data_stop_at_8_intervals_by_the_paper_rule(self):
+        report = self.report("fit", fits("titanium.csv"), "--stop", "distribution",
+                             "--distribution", "0.68,0.95,0.99", "-o", self.path("t.json"))
+        self.assertEqual(report["status"], "met")
+        self.assertEqual(report["report"]["intervals"], 8)
+        self.assertAlmostEqual(report["report"]["delta2"], 27.883080, delta=1e-6)
+        self.assertEqual(report["report"]["sigma_source"], "column")
+        self.assertEqual(report["report"]["breaks"],
+                         [595, 835, 865, 880, 895, 910, 925, 955, 1075])
+        self.assertEqual(len(report["report"]["path"]), 8)
+        self.assertEqual(len(report["report"]["covariance_band"]["x"]), 201)
+        top = min(report["report"]["extrema"], key=lambda e: abs(e["value"] - 900))
+        self.assertLess(abs(top["value"] - 899), 3)
+        self.assertLess(top["deviation"], 2)
+        self.assertGreater(report["report"]["integral"]["deviation"], 0)
+
+    def test_a_fit_is_a_curve_that_other_verbs_read(self):
+        curve = self.good("fit", fits("titanium.csv"), "--quiet").stdout
+        rows = self.good("evaluate", "-", "--at", "595,900", input=curve).stdout.splitlines()
+        self.assertEqual(len(rows), 3)
+        self.assertAlmostEqual(float(rows[2].split(",")[2]), 2.17, delta=0.05)
+        measured = json.loads(self.good("measure", "-", input=curve).stdout)
+        self.assertGreater(measured["report"]["length"], 480)
+
+    def test_a_table_of_residuals_is_written_by_suffix(self):
+        self.good("fit", fits("titanium.csv"), "-o", self.path("t.csv"))
+        with open(self.path("t.csv"), encoding="utf-8") as stream:
+            lines = stream.read().splitlines()
+        self.assertEqual(lines[0], "x,y,sigma,fit,residual")
+        self.assertEqual(len(lines), 50)
+        for line in lines[1:]:
+            x, y, sigma, fit, residual = map(float, line.split(","))
+            self.assertAlmostEqual(residual, y - fit, delta=1e-15)
+            self.assertEqual(sigma, 0.02)
+
+    def test_knots_come_as_a_list_or_in_a_file_with_or_without_the_ends(self):
+        knots = self.file("knots.csv", "595\n800\n900\n1075\n")
+        seen = [self.report("fit", fits("titanium.csv"), "--knots", how, "-o", self.path("t.csv"))
+                for how in ("800,900", "595,800,900,1075", knots)]
+        for report in seen:
+            self.assertEqual(report["report"]["breaks"], [595, 800, 900, 1075])
+            self.assertEqual(report["report"]["coefficients"], seen[0]["report"]["coefficients"])
+
+    def test_robust_alone_means_reject_wherever_it_stands(self):
+        rows = ["x,y"] + [f"{i},{(i % 7) * 0.01 + (2 if i == 30 else 0)}" for i in range(100)]
+        table = self.file("d.csv", "\n".join(rows))
+        for words in (("--robust", table, "--sigma", "0.05"), (table, "--sigma", "0.05", "--robust"),
+                      (table, "--robust", "reject", "--sigma", "0.05")):
+            report = self.report("fit", *words, "-o", self.path("o.csv"))
+            self.assertEqual(report["options"]["robust"], "reject")
+            self.assertEqual(report["report"]["rejected"], [30])
+
+    def test_columns_are_picked_by_name_or_place_and_sigma_may_be_a_number(self):
+        table = self.file("d.csv", "\n".join(
+            ["label,time,value"] + [f"p{i},{i},{i * i}" for i in range(20)]))
+        report = self.report("fit", table, "--x", "time", "--y", "#3", "--sigma", "2", "-o",
+                             self.path("o.json"))
+        self.assertEqual(report["report"]["sigma"], 2)
+        self.assertEqual(report["report"]["sigma_source"], "number")
+        self.assertLess(report["report"]["delta2"], 1e-20)
+
+    def test_parametric_fits_go_near_the_points(self):
+        report = self.report("fit", points("violin.csv"), "--parametric", "--closed", "--sigma",
+                             "2", "-o", self.path("v.json"))
+        self.assertEqual(report["report"]["samples"], 72)
+        with open(self.path("v.json"), encoding="utf-8") as stream:
+            self.assertTrue(json.load(stream)["closed"])
+        self.good("fit", points("violin.csv"), "--parametric", "--sigma", "2", "-o",
+                  self.path("v.csv"), "--draw", self.path("v.svg"))
+
+    def test_pictures_are_drawn_for_every_kind_of_knots(self):
+        for knots in ("auto", "equal", "free", "pruned"):
+            self.good("fit", fits("titanium.csv"), "--knots", knots, "-o", self.path("t.csv"),
+                      "--draw", self.path("t.svg"))
+            self.assertGreater(os.path.getsize(self.path("t.svg")), 5000)
+
+    def test_a_target_that_is_not_reached_exits_3(self):
+        table = self.file("d.csv", "x,y\n" + "\n".join(f"{i // 2},{i % 2}" for i in range(20)))
+        done = self.run_command("fit", table, "--sigma", "0.1", "--tolerance", "0.1", "-o",
+                                self.path("o.csv"))
+        self.assertEqual(done.returncode, 3, done.stderr)
+
+    def test_bad_input_is_refused_with_its_id_and_line(self):
+        good = [f"{i},{i % 3},1" for i in range(12)]
+
+        def refused(error_id, content, *more, says=()):
+            self.refused(error_id, "fit", self.file("d.csv", content), "-o", "out.json", *more,
+                         says=says)
+
+        def table(rows):
+            return "x,y,sigma\n" + "\n".join(rows) + "\n"
+
+        refused("fit.too-few", table(good[:3]))
+        refused("fit.too-few", table(good), "--knots", "1,2,3,4,5,6,7,8,9,10")
+        refused("fit.x-equal", table([f"5,{i},1" for i in range(12)]))
+        refused("fit.sigma", table(good[:4] + ["4,1,0"] + good[5:]),
+                says=("d.csv row 6", "column sigma"))
+        refused("fit.sigma", table(good), "--sigma", "-1")
+        refused("fit.sigma", table(good), "--sigma", "nan")
+        refused("points.not-finite", table(good[:4] + ["4,1,nan"] + good[5:]), says=("row 6",))
+        refused("fit.distribution", table(good), "--stop", "distribution", "--distribution",
+                "0.9,0.5")
+        refused("option.range", table(good), "--stop", "distribution", "--distribution", "0.9,1.5")
+        refused("fit.knots", table(good), "--knots", "4,40")
+        refused("fit.knots", table(good), "--knots", "6,4")
+        refused("option.range", table(good), "--intervals", "0", says=("--intervals",))
+        refused("points.not-finite", table(good[:5] + ["nan,1,1"] + good[6:]),
+                says=("d.csv row 7", "column x"))
+        refused("table.unknown-column", table(good), "--y", "height")
+        refused("table.unknown-column", table(good), "--sigma", "error")
+
+
+class Jobs(Folder):
+    def job(self, steps):
+        return self.file("job.json", json.dumps(steps))
+
+    def test_a_step_of_a_job_does_what_the_verb_does(self):
+        self.good("interpolate", points("violin.csv"), "--closed", "--corner", "6,12",
+                  "--method", "hermite-arc", "-o", self.path("verb.json"),
+                  "--report", self.path("verb.report"))
+        job = self.job({"operation": "interpolate", "input": points("violin.csv"),
+                        "options": {"closed": True, "corner": [6, 12], "method": "hermite-arc"},
+                        "output": self.path("job.out.json"), "report": self.path("job.report")})
+        self.assertEqual(self.good("run", job, "--quiet").stdout, "")
+        for verb, step in (("verb.json", "job.out.json"), ("verb.report", "job.report")):
+            with open(self.path(verb), "rb") as one, open(self.path(step), "rb") as other:
+                self.assertEqual(one.read(), other.read())
+
+    def test_steps_take_what_steps_before_them_made(self):
+        job = self.job({"steps": [
+            {"name": "more", "operation": "densify", "input": [[0, 0], [1, 1], [2, 0], [3, 1]],
+             "options": {"between": 2}},
+            {"name": "fair", "operation": "interpolate", "input": "more", "draw": "fair.svg"},
+            {"name": "plain", "operation": "interpolate", "input": "more",
+             "options": {"method": "natural-chord"}},
+            {"operation": "draw", "inputs": ["plain", "fair", "more"], "output": "all.svg"},
+            {"operation": "compare", "input": "fair", "options": {"to": "plain"}}]})
+        report = json.loads(self.good("run", job).stdout)
+        self.assertEqual(report["operation"], "compare")
+        self.assertNotEqual(report["report"]["max"], 0)
+        self.assertEqual(sorted(os.listdir(self.folder.name)), ["all.svg", "fair.svg", "job.json"])
+
+    def test_a_parameter_column_of_an_earlier_step_is_found_by_its_name(self):
+        job = self.job([
+            {"name": "curve", "operation": "interpolate", "input": [[0, 0], [1, 1], [3, 0]]},
+            {"name": "rows", "operation": "evaluate", "input": "curve", "options": {"count": 5}},
+            {"operation": "interpolate", "input": "rows", "columns": "x,y",
+             "options": {"method": "spline", "parameter": "t"}}])
+        curve = json.loads(self.good("run", job).stdout)
+        self.assertEqual(curve["breaks"], [0, 0.5, 1, 1.5, 2])
+
+    def test_the_worst_step_decides_the_exit_status(self):
+        job = self.job([
+            {"name": "a", "operation": "interpolate", "input": [[0, 0], [1, 1], [2, 0]]},
+            {"operation": "compare", "input": "a", "options": {"to": [[5, 5], [6, 6]],
+                                                              "tolerance": 1}, "report": "r.json"},
+            {"operation": "measure", "input": "a"}])
+        self.assertEqual(self.run_command("run", job).returncode, 3)
+
+    def test_nothing_is_written_when_a_later_step_is_bad(self):
+        first = {"name": "a", "operation": "interpolate", "input": points("violin.csv"),
+                 "output": "a.json", "draw": "a.svg"}
+        def refused(error_id, second, says):
+            self.refused(error_id, "run", self.job([first, second]),
+                         says=["job.json step 2", *says])
+        refused("option.range", {"operation": "interpolate", "input": points("violin.csv"),
+                                 "options": {"weight_exponent": 99}}, ["weight_exponent"])
+        refused("file.missing", {"operation": "measure", "input": "nowhere.json"},
+                ["nowhere.json"])
+        refused("input.kind", {"operation": "measure", "input": points("violin.csv")}, [])
+        refused("file.missing", {"operation": "compare", "input": "a",
+                                 "options": {"to": "nowhere.csv"}}, ["nowhere.csv"])
+        refused("option.range", {"operation": "evaluate", "input": "a",
+                                 "options": {"derivatives": 99}}, ["derivatives"])
+        refused("points.repeated", {"operation": "interpolate", "input": [[0, 0], [0, 0], [1, 1]]},
+                ["input"])
+        refused("output.format", {"operation": "measure", "input": "a", "output": "m.xyz"}, [])
+        refused("curve.outside", {"operation": "evaluate", "input": "a",
+                                  "options": {"at": [1e9]}}, ["at"])
+        self.refused("job.operation", "run", self.job({"operation": "magic"}))
+        self.refused("json.syntax", "run", self.file("job.json", "[{"), says=["line 1"])
+        self.refused("json.too-deep", "run", self.file("job.json", "[" * 100000))
+        self.refused("file.missing", "run", "nowhere.json")
 
 
 class BadInput(Folder):
@@ -345,6 +604,18 @@ class BadInput(Folder):
                            says=["rows 4 and 5"])
         self.interpolating("points.all-equal", "1,1\n1,1\n1,1\n", says=["p.csv"])
         self.interpolating("number.overflow", "0,0\n1e308,1e308\n-1e308,1e308\n")
+
+    def test_points_that_cannot_be_made_fair(self):
+        few = self.file("few.csv", "0,0\n1,0\n2,1\n3,1\n")
+        self.refused("points.too-few", "fair", few, says=["few.csv"])
+        arc = self.file("arc.csv", "\n".join(f"{math.cos(k / 9)!r},{math.sin(k / 9)!r}"
+                                             for k in range(9)))
+        self.refused("fair.tolerance-below-sigma", "fair", arc, "--sigma", "0.1",
+                     "--tolerance", "0.01")
+        self.refused("fair.closed-has-no-ends", "fair", arc, "--closed", "--fix-ends", "position")
+        self.refused("option.value", "fair", arc, "--alpha", "much", says=["--alpha"])
+        self.refused("option.range", "fair", arc, "--alpha", "nan", says=["--alpha"])
+        self.refused("log-aesthetic.points", "log-aesthetic", "--points", "0,0,1,0")
 
     def test_files_that_cannot_be_read_or_written(self):
         self.refused("file.missing", "interpolate", "nowhere.csv", says=["nowhere.csv"])
@@ -433,6 +704,21 @@ class Surfaces(Folder):
             self.good("fit-surface", self.grid(), "-o", self.path("s." + form))
         for form in ("csv", "svg", "dxf"):
             self.good("contour", self.path("s.json"), "-o", self.path("c." + form))
+
+    def test_a_job_passes_surfaces_on(self):
+        rows = [[(0.1 * i - 0.6) ** 2 + (0.1 * j - 0.5) ** 2 for j in range(11)] for i in range(13)]
+        job = [{"operation": "fit-surface", "input": rows, "name": "bowl",
+                "options": {"sigma": 0.01, "x": [0.1 * i for i in range(13)],
+                            "y": [0.1 * j for j in range(11)]}},
+               {"operation": "contour", "input": "bowl", "options": {"levels": [0.09]},
+                "output": self.path("c.json")}]
+        self.good("run", self.file("job.json", json.dumps(job)))
+        circle = self.report("measure", self.path("c.json"))["report"]
+        self.assertAlmostEqual(circle["length"], 0.6 * math.pi, places=5)
+        job[1]["operation"] = "measure"
+        job[1].pop("options")
+        job[0]["input"][2].pop()
+        self.refused("grid.ragged", "run", self.file("job.json", json.dumps(job)))
 
     def test_what_is_no_grid_is_refused(self):
         bad = self.file("bad.csv", "x,y,f\n0,0,1\n0,1,1\n1,0,1\n")

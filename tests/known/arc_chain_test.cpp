@@ -7,7 +7,7 @@
 #include "shared.hpp"
 
 namespace batten {
-namespace {
+namespace arc_chain_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -77,5 +77,5 @@ TEST(ArcChainCurve, OfNearlyStraightArcsLosesNoDigits) {
     }
 }
 
-}  // namespace
+}  // namespace arc_chain_test
 }  // namespace batten

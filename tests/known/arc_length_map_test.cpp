@@ -2,14 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "batten/measure/length.hpp"
 #include "curves.hpp"
 #include "shared_json.hpp"
 
 namespace batten {
-namespace {
+namespace arc_length_map_test {
 
 using namespace batten::testing;
 
@@ -79,6 +82,37 @@ TEST(ArcLengthMap, PassesPiecesThatStandStill) {
     EXPECT_EQ(rests.t_of(1.0), 3);
 }
 
+TEST(ArcLengthMap, MeetsTheJointsOfACurveWhicheverIsAskedFirst) {
+    const Curve curve = wavy();
+    for (const double first : {0.5, 1.5, 2.5}) {
+        const ArcLengthMap map(curve);
+        map.s_of(first);
+        for (int i = 0; i <= 3; ++i) EXPECT_NEAR(map.t_of(map.s_of(i)), i, 1e-14);
+        EXPECT_EQ(map.s_of(1.25), ArcLengthMap(curve).s_of(1.25));
+    }
+}
+
+TEST(ArcLengthMap, TellsWhereItsCellsMeet) {
+    const ArcLengthMap map(wavy());
+    const std::span<const double> joints = map.joints();
+    EXPECT_EQ(joints.front(), 0);
+    EXPECT_EQ(joints.back(), 3);
+    EXPECT_TRUE(std::is_sorted(joints.begin(), joints.end()));
+    for (const double t : {1.0, 2.0}) {
+        EXPECT_TRUE(std::binary_search(joints.begin(), joints.end(), t)) << t;
+    }
+}
+
+TEST(ArcLengthMap, FollowsPiecesThatAreNothingBesideTheOthers) {
+    // 1e-60 of the length: its inverse is taken to be even.
+    const Curve curve = polyline(Points({0, 0, 1, 0, 1, 1e-60, 2, 1e-60}, 2));
+    const ArcLengthMap map(curve);
+    EXPECT_EQ(map.length(), 2);
+    EXPECT_NEAR(map.t_of(0.25), 0.25, 1e-15);
+    EXPECT_NEAR(map.t_of(1.25), 2.25, 1e-15);
+    EXPECT_EQ(map.s_of(1.5), 1);
+}
+
 TEST(ArcLengthMap, AnswersManyAtOnceWithTheSameBits) {
     const Curve curve = wavy();
     const ArcLengthMap map(curve);
@@ -88,5 +122,5 @@ TEST(ArcLengthMap, AnswersManyAtOnceWithTheSameBits) {
     for (std::size_t i = 0; i < s.size(); ++i) EXPECT_EQ(t[i], map.t_of(s[i])) << i;
 }
 
-}  // namespace
+}  // namespace arc_length_map_test
 }  // namespace batten

@@ -6,7 +6,7 @@
 #include "shared_json.hpp"
 
 namespace batten {
-namespace {
+namespace arcs_test {
 
 using testing::CsvTable;
 using testing::shared_csv;
@@ -352,5 +352,5 @@ TEST(Arcs, WithinAToleranceFollowTheReferencesGreedyCounts) {
     }
 }
 
-}  // namespace
+}  // namespace arcs_test
 }  // namespace batten

@@ -7,7 +7,7 @@
 #include "batten/shape/curve.hpp"
 
 namespace batten {
-namespace {
+namespace bspline_known_test {
 
 std::vector<double> values(const BSplineBasis& basis, double t, int order) {
     std::vector<double> out(static_cast<std::size_t>((order + 1) * (basis.degree() + 1)));
@@ -97,5 +97,5 @@ TEST(ElevateDegree, PutsControlPointsAtThirds) {
     EXPECT_EQ(cubic.control_points()(3, 0), 2);
 }
 
-}  // namespace
+}  // namespace bspline_known_test
 }  // namespace batten

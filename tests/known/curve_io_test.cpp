@@ -13,7 +13,7 @@
 #include "batten/shape/transform.hpp"
 
 namespace batten {
-namespace {
+namespace curve_io_test {
 
 Curve path(const std::string& data) { return parse_svg_path(data, "test"); }
 
@@ -176,5 +176,5 @@ TEST(WrittenPoints, AreShortAndExact) {
     EXPECT_EQ(npy_points(points).size(), 128u + 32u);
 }
 
-}  // namespace
+}  // namespace curve_io_test
 }  // namespace batten

@@ -6,7 +6,7 @@
 #include "shared_json.hpp"
 
 namespace batten {
-namespace {
+namespace densify_test {
 
 using testing::CsvTable;
 using testing::shared_csv;
@@ -218,5 +218,5 @@ TEST(Densify, ReportsTheLargestDistanceFromTheChords) {
     EXPECT_NEAR(result.report.max_tangent_jump, 0, 1e-15);
 }
 
-}  // namespace
+}  // namespace densify_test
 }  // namespace batten

@@ -11,7 +11,7 @@
 #include "curves.hpp"
 
 namespace batten {
-namespace {
+namespace dxf_test {
 
 using Pair = std::pair<int, std::string>;
 
@@ -113,5 +113,5 @@ TEST(Dxf, WritesCubicPiecesAsOneSplineThroughTheirControlPoints) {
     }
 }
 
-}  // namespace
+}  // namespace dxf_test
 }  // namespace batten

@@ -10,7 +10,7 @@
 #include "shared.hpp"
 
 namespace batten {
-namespace {
+namespace files_io_test {
 
 namespace fs = std::filesystem;
 
@@ -112,5 +112,5 @@ TEST(JsonText, IsReadWithItsEscapesAndTheSignOfZero) {
     EXPECT_EQ(*list[3].real(), 1e5);
 }
 
-}  // namespace
+}  // namespace files_io_test
 }  // namespace batten

@@ -3,7 +3,7 @@
 
 /// Free knots against the best values known.
 namespace batten {
-namespace {
+namespace fit_free_test {
 
 using testing::fit_table;
 
@@ -63,5 +63,5 @@ TEST(FreeKnots, FromPartWayNeedFewerKnotsThanInsertion) {
     EXPECT_GT(result.report.parameters_charged, result.report.parameters);
 }
 
-}  // namespace
+}  // namespace fit_free_test
 }  // namespace batten

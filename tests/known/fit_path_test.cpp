@@ -3,7 +3,7 @@
 
 /// The reference fits, computed by dense QR in other hands.
 namespace batten {
-namespace {
+namespace fit_path_test {
 
 using testing::fit_table;
 
@@ -51,7 +51,7 @@ TEST(FitOverEqualIntervals, GivesTheReference) {
 
     options.knots = KnotPlacement::given;
     options.intervals.reset();
-    for (int i = 1; i < 10; ++i) options.knot_values.push_back(10 * i);
+    for (int i = 1; i < 10; ++i) options.knots_values.push_back(10 * i);
     EXPECT_EQ(fit(table.view(), options).report.coefficients, result.report.coefficients);
 }
 
@@ -100,5 +100,5 @@ TEST(FitByInsertion, FollowsTheTitaniumPath) {
     EXPECT_EQ(whole.report.breaks, history.back()["knots"].get<std::vector<double>>());
 }
 
-}  // namespace
+}  // namespace fit_path_test
 }  // namespace batten

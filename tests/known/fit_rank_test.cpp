@@ -2,7 +2,7 @@
 
 /// Intervals without data: what is determined and what is not.
 namespace batten {
-namespace {
+namespace fit_rank_test {
 
 using testing::FitTable;
 
@@ -67,5 +67,5 @@ TEST(FitByInsertion, DoesNotSplitWhatTheDataCannotFill) {
     EXPECT_TRUE(result.report.undetermined.empty());
 }
 
-}  // namespace
+}  // namespace fit_rank_test
 }  // namespace batten

@@ -4,7 +4,7 @@
 #include "shared_json.hpp"
 
 namespace batten {
-namespace {
+namespace fit_statistics_test {
 
 TEST(FitStatistics, GiveAllPrintedBlocksOfThePaper) {
     const char* const file = "reference/fitting/figure_stats.json";
@@ -71,5 +71,5 @@ TEST(FitStatistics, FillTheDistributionWithOnes) {
     EXPECT_FALSE(is_distributed(psi, phi));
 }
 
-}  // namespace
+}  // namespace fit_statistics_test
 }  // namespace batten

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace batten::num {
-namespace {
+namespace gauss_test {
 
 TEST(GaussRules, HaveTheKnownNodes) {
     const GaussRule two = gauss_legendre(2);
@@ -52,5 +52,5 @@ TEST(GaussRules, IntegrateOverAnyInterval) {
     EXPECT_NEAR(found, std::exp(3.0) - std::exp(1.0), 1e-14);
 }
 
-}  // namespace
+}  // namespace gauss_test
 }  // namespace batten::num

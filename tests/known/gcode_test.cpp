@@ -5,13 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "batten/api/operation.hpp"
 #include "batten/base/text.hpp"
 #include "batten/io/gcode.hpp"
 #include "batten/shape/curve.hpp"
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace gcode_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -177,5 +178,47 @@ TEST(Gcode, TakesASpeedForEachArc) {
     for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(moves[i + 1].feed, feeds[i]);
 }
 
-}  // namespace
+/// The program that `convert` writes for a chain.
+std::vector<Move> converted(const ArcChain& chain, std::vector<Setting> settings) {
+    const Input input{"chain", Curve(chain)};
+    settings.push_back({"feed", "600"});
+    const Outcome outcome = find_operation("convert")->run({&input, 1}, settings, {});
+    for (const OutputForm& form : outcome.forms) {
+        if (form.name == "gcode") return run(form.text());
+    }
+    ADD_FAILURE() << "no G-code";
+    return {};
+}
+
+TEST(Gcode, FeedsFollowALawOfMotion) {
+    const ArcChain line(Points({0, 0, 1, 0, 2, 0, 3, 0, 4, 0}, 2), {0, 0, 0, 0});
+    const std::vector<Move> moves = converted(line, {{"feed_law", "accelerate"}});
+    ASSERT_EQ(moves.size(), 5u);
+    for (int i = 0; i < 4; ++i) {  // s = 4 tau^2
+        const double time = std::sqrt((i + 1) / 4.0) - std::sqrt(i / 4.0);
+        const double last = 1 - std::sqrt(3 / 4.0);
+        EXPECT_NEAR(moves[i + 1].feed, 600 * last / time, 1e-5 * 600) << i;
+        EXPECT_LE(moves[i + 1].feed, 600);
+    }
+}
+
+TEST(Gcode, FeedsKeepTheLimitsOfTheFastestMotion) {
+    // From rest over a line of 40, a half circle of radius 4 and back. 600 a minute are 10 a second.
+    const ArcChain hairpin(Points({0, 0, 20, 0, 40, 0, 40, 8, 20, 8, 0, 8}, 2), {0, 0, 1, 0, 0});
+    const std::vector<Move> moves =
+        converted(hairpin, {{"feed_law", "time-optimal"}, {"max_lateral", "9"},
+                            {"max_tangential", "2"}});
+    ASSERT_EQ(moves.size(), 6u);
+    const double bend = 6;  // sqrt(9 x 4)
+    EXPECT_NEAR(moves[3].feed, 60 * bend, 1e-4 * 60 * bend);
+    // v^2 = 4 s from rest, and v^2 = 36 + 4 (40 - s) before the bend: they meet at s = 24.5.
+    const double middle = std::sqrt(80.0), crest = std::sqrt(98.0);
+    EXPECT_NEAR(moves[1].feed, 60 * middle / 2, 1e-4 * 600);
+    const double time = (crest - middle) / 2 + (crest - bend) / 2;
+    EXPECT_NEAR(moves[2].feed, 60 * 20 / time, 1e-4 * 600);
+    EXPECT_NEAR(moves[4].feed, moves[2].feed, 1e-2);
+    EXPECT_NEAR(moves[5].feed, moves[1].feed, 1e-2);
+}
+
+}  // namespace gcode_test
 }  // namespace batten

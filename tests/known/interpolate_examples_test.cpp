@@ -12,7 +12,7 @@
 
 // The seven data sets of ../shared/reference/pseudo-spline/examples.json, by six methods.
 namespace batten {
-namespace {
+namespace interpolate_examples_test {
 
 constexpr const char* examples = "reference/pseudo-spline/examples.json";
 
@@ -218,5 +218,5 @@ TEST(Interpolate, HasNoAreaAndNoAnglesInSpace) {
     EXPECT_GT(made.report.bending_energy.value(), 0);
 }
 
-}  // namespace
+}  // namespace interpolate_examples_test
 }  // namespace batten

@@ -9,7 +9,7 @@
 
 // The nine data sets of ../shared/reference/pseudo-spline/quality.json, four of them closed.
 namespace batten {
-namespace {
+namespace interpolate_quality_test {
 
 constexpr const char* sets_file = "reference/pseudo-spline/quality_sets.json";
 constexpr const char* totals_file = "reference/pseudo-spline/quality.json";
@@ -91,5 +91,5 @@ TEST(Interpolate, CurvesUnevenPointsOfACircleMoreEvenlyWithANegativeWeightExpone
     EXPECT_NEAR(interpolate(points, options).report.max_curvature.value().value, 1.296, 5e-4);
 }
 
-}  // namespace
+}  // namespace interpolate_quality_test
 }  // namespace batten

@@ -9,7 +9,7 @@
 #include "shared.hpp"
 
 namespace batten {
-namespace {
+namespace interpolate_windows_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -40,6 +40,24 @@ TEST(Lagrange, InterpolatesAsDensifyDoes) {
         ASSERT_EQ(result.report.notes.size(), 1u);
         EXPECT_NE(result.report.notes[0].find("the tangent jumps"), std::string::npos);
     }
+}
+
+TEST(Lagrange, TakesTheRuleForItsParameters) {
+    const Points uneven({0, 0, 1, 2, 5, 3, 6, 0, 6.5, 0.5, 12, 1}, 2);
+    for (const Parameter rule : {Parameter::uniform, Parameter::chord, Parameter::centripetal}) {
+        InterpolateOptions options;
+        options.method = Method::lagrange_3;
+        options.parameter = rule;
+        DensifyOptions same;
+        same.between = 0;
+        same.parameter = rule == Parameter::uniform ? LagrangeParameter::index
+                         : rule == Parameter::chord ? LagrangeParameter::chord
+                                                    : LagrangeParameter::centripetal;
+        EXPECT_EQ(*interpolate(uneven, options).curve.shape<PiecewiseCubic>(),
+                  *densify(uneven, same).curve.shape<PiecewiseCubic>());
+    }
+    const Curve unasked = through(uneven, Method::lagrange_3).curve;
+    EXPECT_EQ(unasked.domain().hi, 5);
 }
 
 TEST(Lagrange, TakesGivenParametersAndFewPoints) {
@@ -81,5 +99,5 @@ TEST(ArcChainMethod, KeepsThePartAskedFor) {
     for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(part->arc(i), whole.arc(i + 1));
 }
 
-}  // namespace
+}  // namespace interpolate_windows_test
 }  // namespace batten

@@ -6,7 +6,7 @@
 #include "curves.hpp"
 
 namespace batten {
-namespace {
+namespace measure_area_test {
 
 using namespace batten::testing;
 constexpr double pi = std::numbers::pi;
@@ -114,5 +114,5 @@ TEST(AreaByWinding, OfAScribbleIsGivenUp) {
     EXPECT_FALSE(areas_by_winding(polyline(scribble)));
 }
 
-}  // namespace
+}  // namespace measure_area_test
 }  // namespace batten

@@ -8,7 +8,7 @@
 #include "curves.hpp"
 
 namespace batten {
-namespace {
+namespace measure_bends_test {
 
 using namespace batten::testing;
 constexpr double pi = std::numbers::pi;
@@ -261,5 +261,5 @@ TEST(JointContinuity, TellsAGap) {
     EXPECT_EQ(joints[0].continuity, Continuity::gap);
 }
 
-}  // namespace
+}  // namespace measure_bends_test
 }  // namespace batten

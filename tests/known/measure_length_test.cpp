@@ -9,7 +9,7 @@
 #include "shared_json.hpp"
 
 namespace batten {
-namespace {
+namespace measure_length_test {
 
 using namespace batten::testing;
 
@@ -155,5 +155,5 @@ TEST(Centroid, OfKnownCurves) {
     EXPECT_EQ(centroid(bezier({2, 3, 2, 3, 2, 3, 2, 3})), (std::vector<double>{2, 3}));
 }
 
-}  // namespace
+}  // namespace measure_length_test
 }  // namespace batten

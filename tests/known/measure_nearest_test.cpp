@@ -9,7 +9,7 @@
 #include "curves.hpp"
 
 namespace batten {
-namespace {
+namespace measure_nearest_test {
 
 using namespace batten::testing;
 constexpr double pi = std::numbers::pi;
@@ -210,5 +210,5 @@ TEST(HausdorffDistance, WhereTheNearestPlaceJumps) {
     EXPECT_NEAR(d.at.point[0], 0, 1e-8);
 }
 
-}  // namespace
+}  // namespace measure_nearest_test
 }  // namespace batten

@@ -10,7 +10,7 @@
 #include "shared_json.hpp"
 
 namespace batten {
-namespace {
+namespace motion_known_test {
 
 using namespace batten::testing;
 
@@ -195,5 +195,5 @@ TEST(Frames, OfAHelixTurnBackAgainstItsTorsion) {
     }
 }
 
-}  // namespace
+}  // namespace motion_known_test
 }  // namespace batten

@@ -11,7 +11,7 @@
 #include "shared.hpp"
 
 namespace batten {
-namespace {
+namespace pseudo_segment_test {
 
 using testing::shared_csv;
 
@@ -192,5 +192,5 @@ TEST(Minima, AreEquallyLowOnTheJumpCurve) {
     }
 }
 
-}  // namespace
+}  // namespace pseudo_segment_test
 }  // namespace batten

@@ -15,7 +15,7 @@
 #include "shared_json.hpp"
 
 namespace batten::pseudo {
-namespace {
+namespace pseudo_spline_angles_test {
 
 using testing::shared_csv;
 using testing::shared_json;
@@ -205,5 +205,5 @@ TEST(GlobalAngles, AreAsLowAsTheReferenceExamples) {
     }
 }
 
-}  // namespace
+}  // namespace pseudo_spline_angles_test
 }  // namespace batten::pseudo

@@ -19,7 +19,7 @@
 #include "shared.hpp"
 
 namespace batten {
-namespace {
+namespace pseudo_tables_test {
 
 using namespace pseudo;
 using batten::testing::Random;
@@ -252,5 +252,5 @@ TEST(PseudoSpline, CanBeStoppedAndLeavesNothing) {
     EXPECT_THROW(pseudo_spline(points, options), Cancelled);
 }
 
-}  // namespace
+}  // namespace pseudo_tables_test
 }  // namespace batten

@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace batten::num {
-namespace {
+namespace roots_test {
 
 using Line = std::array<double, 3>;
 using Cubic = std::array<double, 4>;
@@ -104,5 +104,5 @@ TEST(ScalarMinimum, IsFoundToTheRootOfThePrecision) {
     EXPECT_NEAR(end.at, 2, 1e-6);
 }
 
-}  // namespace
+}  // namespace roots_test
 }  // namespace batten::num

@@ -12,7 +12,7 @@
 #include "shared_json.hpp"
 
 namespace batten {
-namespace {
+namespace sample_figures_test {
 
 using namespace batten::testing;
 
@@ -160,5 +160,5 @@ TEST(ImplicitForm, OfTheFigureEightIsNormalToTheCurveToRounding) {
     EXPECT_LE(worst, 2e-14);
 }
 
-}  // namespace
+}  // namespace sample_figures_test
 }  // namespace batten

@@ -8,7 +8,7 @@
 #include "shared.hpp"
 
 namespace batten {
-namespace {
+namespace spline_function_test {
 
 /// x^3 - 2 x on [-2, 3] as a cubic spline with some knots: coefficients by the blossom.
 SplineFunction cubic() {
@@ -108,5 +108,17 @@ TEST(SplineFunction, BecomesCurveAndCubicPieces) {
     }
 }
 
-}  // namespace
+TEST(SplineFunction, WithAJumpHasADerivativeOnBothSides) {
+    // x^2 up to 1, then 5 - x: degree 2, the knot 1 stands three times.
+    const SplineFunction s({0, 0, 0, 1, 1, 1, 2, 2, 2}, {0, 0, 1, 4, 3.5, 3}, 2);
+    const SplineFunction slope = derivative(s);
+    EXPECT_EQ(slope.degree(), 1);
+    EXPECT_NEAR(slope(0.5), 1, 1e-15);
+    EXPECT_NEAR(slope.value_on(0, 1, 0), 2, 1e-15);
+    EXPECT_NEAR(slope(1), -1, 1e-15);
+    EXPECT_NEAR(slope(1.75), -1, 1e-15);
+    EXPECT_NEAR(integral(s, {0, 2}), 1.0 / 3 + 3.5, 1e-14);
+}
+
+}  // namespace spline_function_test
 }  // namespace batten

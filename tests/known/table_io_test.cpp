@@ -7,7 +7,7 @@
 #include "shared.hpp"
 
 namespace batten {
-namespace {
+namespace table_io_test {
 
 /// A file that NumPy wrote.
 std::string npy_file(const std::string& name) {
@@ -152,5 +152,5 @@ TEST(RealTables, AreRead) {
     }
 }
 
-}  // namespace
+}  // namespace table_io_test
 }  // namespace batten

@@ -6,7 +6,7 @@
 #include "shared.hpp"
 
 namespace batten {
-namespace {
+namespace thin_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -167,5 +167,5 @@ TEST(Thin, OfARingKeepsItClosed) {
     EXPECT_LE(result.points.size(), 32u);
 }
 
-}  // namespace
+}  // namespace thin_test
 }  // namespace batten

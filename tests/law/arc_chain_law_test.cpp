@@ -14,7 +14,7 @@
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace arc_chain_law_test {
 
 ArcChain any_chain(testing::Random& random) {
     std::vector<double> bulges;
@@ -99,5 +99,5 @@ TEST(SvgPicture, OfArcsShowsTheWholeOfThem) {
     EXPECT_NE(picture.find(" A "), std::string::npos);
 }
 
-}  // namespace
+}  // namespace arc_chain_law_test
 }  // namespace batten

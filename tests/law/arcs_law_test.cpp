@@ -7,7 +7,7 @@
 #include "shared.hpp"
 
 namespace batten {
-namespace {
+namespace arcs_law_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -199,5 +199,5 @@ TEST(ArcsLaw, WithinAToleranceThereAreNeverMoreMovesThanChords) {
     EXPECT_GT(chains, 10u);
 }
 
-}  // namespace
+}  // namespace arcs_law_test
 }  // namespace batten

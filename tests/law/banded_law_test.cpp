@@ -8,7 +8,7 @@
 #include "random.hpp"
 
 namespace batten::num {
-namespace {
+namespace banded_law_test {
 
 using Columns = std::vector<std::vector<double>>;
 
@@ -114,5 +114,5 @@ TEST(SolveTridiagonal, DoesNotDependOnTheOtherColumns) {
     }
 }
 
-}  // namespace
+}  // namespace banded_law_test
 }  // namespace batten::num

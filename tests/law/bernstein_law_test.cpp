@@ -8,7 +8,7 @@
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace bernstein_law_test {
 
 using bernstein::Coefficients;
 using testing::Random;
@@ -132,5 +132,5 @@ TEST(CompensatedSum, DoesNotLoseSmallTerms) {
     EXPECT_EQ(sum.value(), 125);
 }
 
-}  // namespace
+}  // namespace bernstein_law_test
 }  // namespace batten

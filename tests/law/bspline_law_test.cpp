@@ -9,7 +9,7 @@
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace bspline_law_test {
 
 using testing::Random;
 
@@ -254,5 +254,5 @@ TEST(BSplineCurve, MovesOnlyWhereTheMovedControlPointReaches) {
     }
 }
 
-}  // namespace
+}  // namespace bspline_law_test
 }  // namespace batten

@@ -7,7 +7,7 @@
 #include "shared.hpp"
 
 namespace batten {
-namespace {
+namespace densify_law_test {
 
 /// A wandering row of points, now and then nearly coincident.
 Points wandering(unsigned seed, std::size_t n, int dim) {
@@ -194,5 +194,5 @@ TEST(ThinLaw, PointsTimesAPowerOfTwoKeepTheSameRows) {
     }
 }
 
-}  // namespace
+}  // namespace densify_law_test
 }  // namespace batten

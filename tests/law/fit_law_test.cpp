@@ -3,7 +3,7 @@
 
 /// What holds for every fit.
 namespace batten {
-namespace {
+namespace fit_law_test {
 
 using testing::FitTable;
 using testing::Noise;
@@ -38,7 +38,7 @@ FitTable ragged(std::size_t n, std::uint64_t seed) {
 FitOptions over(std::vector<double> knots, int degree) {
     FitOptions options;
     options.knots = KnotPlacement::given;
-    options.knot_values = std::move(knots);
+    options.knots_values = std::move(knots);
     options.degree = degree;
     return options;
 }
@@ -235,5 +235,5 @@ TEST(FitByInsertion, GivesTheSamePathFromATreeAndFromSamples) {
     }
 }
 
-}  // namespace
+}  // namespace fit_law_test
 }  // namespace batten

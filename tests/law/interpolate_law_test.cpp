@@ -10,7 +10,7 @@
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace interpolate_law_test {
 
 using testing::Random;
 
@@ -491,5 +491,5 @@ TEST(Interpolate, InSpaceDoesAsInThePlane) {
     }
 }
 
-}  // namespace
+}  // namespace interpolate_law_test
 }  // namespace batten

@@ -17,7 +17,7 @@
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace io_roundtrip_test {
 
 using testing::Random;
 
@@ -56,7 +56,7 @@ TEST(WrittenNames, ReadBackAsTheyAre) {
     const std::vector<std::string> names{" x, \"east\"", "y;z # no", "\ttab"};
     EXPECT_EQ(parse_table({"p.csv", csv_points(points, names)}).names, names);
     const std::vector<std::string> alone{"a b"};
-    EXPECT_EQ(parse_table({"p.csv", csv_points(Points({1}, 1), alone)}).names, alone);
+    EXPECT_EQ(parse_table({"p.csv", csv_points(Points(std::vector<double>{1}, 1), alone)}).names, alone);
 }
 
 Value any_value(Random& random, int depth) {
@@ -209,5 +209,5 @@ TEST(WrittenArcs, ReadBackToTheSameChain) {
     }
 }
 
-}  // namespace
+}  // namespace io_roundtrip_test
 }  // namespace batten

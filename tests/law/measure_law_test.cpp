@@ -14,7 +14,7 @@
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace measure_law_test {
 
 using namespace batten::testing;
 
@@ -285,5 +285,5 @@ TEST(CoordinateOfACurve, RisesAndFallsBetweenItsExtrema) {
     }
 }
 
-}  // namespace
+}  // namespace measure_law_test
 }  // namespace batten

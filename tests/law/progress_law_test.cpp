@@ -7,7 +7,7 @@
 #include "batten/make/interpolate.hpp"
 
 namespace batten {
-namespace {
+namespace progress_law_test {
 
 Points wave(int n) {
     Points points(2);
@@ -69,5 +69,5 @@ TEST(Progress, OfAStageIsItsShareOfTheWhole) {
     EXPECT_EQ(last, 1);
 }
 
-}  // namespace
+}  // namespace progress_law_test
 }  // namespace batten

@@ -14,7 +14,7 @@
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace pseudo_segment_law_test {
 
 using testing::Random;
 
@@ -250,5 +250,5 @@ TEST(ThreePointRule, IsLeastOnTheWholeCircle) {
     }
 }
 
-}  // namespace
+}  // namespace pseudo_segment_law_test
 }  // namespace batten

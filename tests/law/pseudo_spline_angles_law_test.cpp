@@ -10,7 +10,7 @@
 #include "random.hpp"
 
 namespace batten::pseudo {
-namespace {
+namespace pseudo_spline_angles_law_test {
 
 using batten::testing::Random;
 
@@ -212,5 +212,5 @@ TEST(GlobalAngles, ScaleByPowersOfTwoExactly) {
     }
 }
 
-}  // namespace
+}  // namespace pseudo_spline_angles_law_test
 }  // namespace batten::pseudo

@@ -7,7 +7,7 @@
 #include "random.hpp"
 
 namespace batten::num {
-namespace {
+namespace roots_law_test {
 
 using testing::Random;
 
@@ -56,5 +56,5 @@ TEST(Roots, AreTheSameForCoefficientsTimesAPowerOfTwo) {
     }
 }
 
-}  // namespace
+}  // namespace roots_law_test
 }  // namespace batten::num

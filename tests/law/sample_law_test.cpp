@@ -6,12 +6,11 @@
 #include "batten/make/motion.hpp"
 #include "batten/make/sample.hpp"
 #include "batten/measure/curvature.hpp"
-#include "batten/shape/transform.hpp"
 #include "curves.hpp"
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace sample_law_test {
 
 using namespace batten::testing;
 
@@ -80,10 +79,15 @@ TEST(SampleLaw, SpeedIsTheDerivativeOfTheArcLengthByTime) {
 
 TEST(SampleLaw, ScalesExactlyWithPowersOfTwo) {
     Random random(7);
-    const Curve curve = random_curve(random, 6, 2);
+    const Points points = random.points(6, 2), slopes = random.points(6, 2);
+    const auto times = [](Points rows, double scale) {
+        for (double& x : rows.coordinates()) x *= scale;
+        return rows;
+    };
+    const Curve curve = hermite(points, slopes);
     for (const int exponent : {-30, 3, 200}) {
         const double scale = std::ldexp(1.0, exponent);
-        const Curve large = scaled(curve, scale);
+        const Curve large = hermite(times(points, scale), times(slopes, scale));
         const ArcLengthMap a(curve), b(large);
         EXPECT_EQ(b.length(), scale * a.length());
         EXPECT_EQ(b.error(), scale * a.error());
@@ -257,5 +261,5 @@ TEST(SampleLaw, SpacingIsNeverMoreThanAskedForAndTimesAreFrames) {
     for (std::size_t i = 0; i <= 50; ++i) EXPECT_NEAR(frames.rows(i, 1), static_cast<double>(i) / 25, 1e-15);
 }
 
-}  // namespace
+}  // namespace sample_law_test
 }  // namespace batten

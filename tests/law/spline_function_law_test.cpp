@@ -5,7 +5,7 @@
 #include "shared.hpp"
 
 namespace batten {
-namespace {
+namespace spline_function_law_test {
 
 SplineFunction random_spline(testing::Random& random, int degree) {
     std::vector<double> knots(static_cast<std::size_t>(degree) + 1, 0.0);
@@ -137,5 +137,5 @@ TEST(SplineFunction, FindsEveryCrossing) {
     }
 }
 
-}  // namespace
+}  // namespace spline_function_law_test
 }  // namespace batten

@@ -8,7 +8,7 @@
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace svg_arcs_law_test {
 
 TEST(SvgArcs, AreWrittenWithTrueArcs) {
     EXPECT_EQ(svg_path(ArcChain(Points({0, 0, 2, 0, 2, 2}, 2), {0, 1})),
@@ -48,5 +48,5 @@ TEST(SvgArcs, AreReadBackAsTheSameArcs) {
     }
 }
 
-}  // namespace
+}  // namespace svg_arcs_law_test
 }  // namespace batten

@@ -5,6 +5,7 @@
 #include <thread>
 #include <vector>
 
+#include "batten/measure/arc_length_map.hpp"
 #include "batten/shape/curve.hpp"
 #include "batten/shape/piecewise_cubic.hpp"
 
@@ -85,6 +86,26 @@ TEST(OneCurveInManyThreads, GivesTheSameBitsWhenItIsTheUsersFunction) {
 
 TEST(OneCurveInManyThreads, GivesTheSameBitsWhenItIsAPartOfAnother) {
     expect_same_bits_from_many_threads(batten::trimmed(spiral_of_cubics(40), {0.3, 8.1}));
+}
+
+TEST(OneArcLengthMapInManyThreads, GivesTheSameBitsAsItsPiecesAreMade) {
+    const Curve curve = spiral_of_cubics(40);
+    const auto walked = [](const batten::ArcLengthMap& map) {
+        std::vector<double> s, t(500);
+        for (int i = 0; i < 500; ++i) s.push_back(map.length() * i / 499);
+        map.t_of(s, t);
+        t.insert(t.end(), map.joints().begin(), map.joints().end());
+        return t;
+    };
+    const std::vector<double> alone = walked(batten::ArcLengthMap(curve));
+    const batten::ArcLengthMap shared(curve);
+    std::vector<std::vector<double>> results(8);
+    std::vector<std::thread> threads;
+    for (std::vector<double>& result : results) {
+        threads.emplace_back([&result, &shared, &walked] { result = walked(shared); });
+    }
+    for (std::thread& thread : threads) thread.join();
+    for (const std::vector<double>& result : results) EXPECT_EQ(result, alone);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include "pictures.hpp"
 
 namespace batten::testing {
-namespace {
+namespace comb_test {
 
 using namespace drawing;
 
@@ -178,5 +178,5 @@ TEST(Trace, OfCubicsIsExactAndSoIsItsBox) {
     EXPECT_NEAR(box.sides[0].lo, -std::sqrt(3.0) / 6, 1e-15);
 }
 
-}  // namespace
+}  // namespace comb_test
 }  // namespace batten::testing

@@ -7,25 +7,18 @@
 #include "batten/base/error.hpp"
 #include "batten/shape/piecewise_cubic.hpp"
 #include "io/draw/scene/svg.hpp"
+#include "errors.hpp"
 #include "pictures.hpp"
 
 namespace batten::testing {
-namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double inf = std::numeric_limits<double>::infinity();
+namespace drawing_errors_test {
 
 /// What `svg` says of a good drawing that `spoil` has changed: id and place.
 std::string complaint(const std::function<void(Drawing&)>& spoil) {
     Drawing drawing;
     drawing.add(CurveLayer{near_circle(1), "circle", {}});
     spoil(drawing);
-    try {
-        svg(drawing);
-    } catch (const Error& error) {
-        return error.code() + " " + error.place();
-    }
-    return "none";
+    return code_and_place_of([&] { svg(drawing); });
 }
 
 Points points(std::vector<double> coordinates) { return Points(std::move(coordinates), 2); }
@@ -78,12 +71,8 @@ TEST(DrawingErrors, SayWhichLayerHasAnotherDimension) {
               }),
               "drawing.dimension panel 0 layer 0");
     const auto line = [](double t, int, std::span<double> out) { out[0] = t; };
-    try {
-        curvature_plot(CallableCurve{line, 1, {0, 1}, false});
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_EQ(error.code(), "drawing.dimension");
-    }
+    EXPECT_EQ(code_of([&] { curvature_plot(CallableCurve{line, 1, {0, 1}, false}); }),
+              "drawing.dimension");
 }
 
 TEST(DrawingErrors, SayWhatALogarithmicAxisCannotShow) {
@@ -162,5 +151,5 @@ TEST(SvgText, IsValidWhateverTheBytes) {
               std::string::npos);
 }
 
-}  // namespace
+}  // namespace drawing_errors_test
 }  // namespace batten::testing

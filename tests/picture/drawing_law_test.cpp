@@ -13,7 +13,7 @@
 #include "random.hpp"
 
 namespace batten::testing {
-namespace {
+namespace drawing_law_test {
 
 using namespace drawing;
 
@@ -253,5 +253,5 @@ TEST(DrawingLaw, TheSameDrawingGivesTheSameBytes) {
     for (const Drawing& drawing : all_pictures()) EXPECT_EQ(svg(drawing), svg(drawing));
 }
 
-}  // namespace
+}  // namespace drawing_law_test
 }  // namespace batten::testing

@@ -5,7 +5,7 @@
 
 // Each of these has been looked at. After a change on purpose: BATTEN_GOLDEN=accept, and look.
 namespace batten::testing {
-namespace {
+namespace golden_test {
 
 TEST(Picture, OfPointsShowsMarkersCornersAndNumbers) {
     EXPECT_TRUE(is_golden("points.svg", svg(points_picture())));
@@ -81,5 +81,5 @@ TEST(Picture, FarFromTheOriginNotesTheOffset) {
     EXPECT_TRUE(is_golden("offset.svg", svg(joined_points(points, "Near 10^9"))));
 }
 
-}  // namespace
+}  // namespace golden_test
 }  // namespace batten::testing

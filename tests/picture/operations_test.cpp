@@ -12,7 +12,7 @@
 
 // What `--draw` draws. After a change on purpose: BATTEN_GOLDEN=accept, and look.
 namespace batten::testing {
-namespace {
+namespace operations_test {
 
 /// The picture of an operation on these points.
 std::string picture_of(std::string_view operation, const Source& points,
@@ -52,5 +52,5 @@ TEST(PictureOfThin, ShowsWhatIsKept) {
                                                  {{"closed", "true"}, {"tolerance", "4"}})));
 }
 
-}  // namespace
+}  // namespace operations_test
 }  // namespace batten::testing

@@ -9,7 +9,7 @@
 #include "random.hpp"
 
 namespace batten::testing {
-namespace {
+namespace ticks_test {
 
 using namespace drawing;
 
@@ -121,5 +121,5 @@ TEST(ShortNumber, HasThreeDigits) {
     EXPECT_EQ(short_number(4e-310), "4×10⁻³¹⁰");
 }
 
-}  // namespace
+}  // namespace ticks_test
 }  // namespace batten::testing

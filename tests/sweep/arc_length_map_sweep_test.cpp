@@ -8,7 +8,7 @@
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace arc_length_map_sweep_test {
 
 using namespace batten::testing;
 
@@ -34,6 +34,34 @@ TEST(ArcLengthMapSweep, ReachesTheToleranceAskedForOnRandomCubics) {
     }
 }
 
+/// Pieces that neither bend nor change speed alike, with joints in between.
+Curve random_chain(Random& random, std::size_t pieces, int dim) {
+    const Points points = random.points(pieces + 1, dim);
+    Points slopes = random.points(pieces + 1, dim);
+    for (double& x : slopes.coordinates()) x *= 4;
+    return hermite(points, slopes);
+}
+
+TEST(ArcLengthMapSweep, ReachesTheToleranceAllAlongChains) {
+    Random random(72);
+    for (int round = 0; round < 6; ++round) {
+        const Curve curve = random_chain(random, 12, 2 + round % 2);
+        const double whole = length(curve, relative(1e-15)).value;
+        for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-12}) {
+            const ArcLengthMap map(curve, relative(tolerance));
+            EXPECT_LE(std::fabs(map.length() - whole), tolerance * whole);
+            std::vector<double> s, t(40);
+            for (int i = 0; i < 40; ++i) s.push_back(map.length() * (i + 0.5) / 40);
+            map.t_of(s, t);
+            for (std::size_t i = 0; i < s.size(); ++i) {
+                const double found = length(curve, Interval{0, t[i]}, relative(1e-14)).value;
+                EXPECT_LE(std::fabs(found - s[i]), tolerance * whole) << tolerance;
+                EXPECT_LE(std::fabs(map.s_of(t[i]) - found), tolerance * whole) << tolerance;
+            }
+        }
+    }
+}
+
 TEST(ArcLengthMapSweep, TakesAbsoluteTolerancesInDataUnits) {
     const Curve curve = bezier({0, 0, 1000, 1, -1000, 1, 1, 0});
     for (const double tolerance : {1.0, 1e-3, 1e-6, 1e-9}) {
@@ -44,5 +72,5 @@ TEST(ArcLengthMapSweep, TakesAbsoluteTolerancesInDataUnits) {
     }
 }
 
-}  // namespace
+}  // namespace arc_length_map_sweep_test
 }  // namespace batten

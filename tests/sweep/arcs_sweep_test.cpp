@@ -8,7 +8,7 @@
 #include "shared.hpp"
 
 namespace batten {
-namespace {
+namespace arcs_sweep_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -282,5 +282,5 @@ TEST(ArcsSweep, PointsGetAtMostOneArcMoreThanTheMinimum) {
     expect_near_minimum(cases[4], sampled(cases[4], 300, 0), 1e-2);
 }
 
-}  // namespace
+}  // namespace arcs_sweep_test
 }  // namespace batten

@@ -6,7 +6,7 @@
 #include "shared.hpp"
 
 namespace batten {
-namespace {
+namespace densify_sweep_test {
 
 Points spiral(int dim) {
     Points points(0, dim);
@@ -117,5 +117,5 @@ TEST(ThinSweep, TheKeptPointsCurveIsWithinTheTolerance) {
     }
 }
 
-}  // namespace
+}  // namespace densify_sweep_test
 }  // namespace batten

@@ -4,7 +4,7 @@
 
 /// Are 95 % bands 95 % bands, and do the noisy fits come as near the truth as promised?
 namespace batten {
-namespace {
+namespace fit_band_test {
 
 using testing::FitTable;
 using testing::Noise;
@@ -24,9 +24,9 @@ int covered(const Fit& result, const std::function<double(double)>& truth, int p
 TEST(FitBands, CoverSplinesOverTheirOwnKnots) {
     FitOptions options;
     options.knots = KnotPlacement::given;
-    options.knot_values = {6, 12, 20, 25, 31, 38, 44, 47, 50, 53, 56, 62, 66, 69, 72, 75, 81, 88};
+    options.knots_values = {6, 12, 20, 25, 31, 38, 44, 47, 50, 53, 56, 62, 66, 69, 72, 75, 81, 88};
     std::vector<double> knots(4, 0.0);
-    knots.insert(knots.end(), options.knot_values.begin(), options.knot_values.end());
+    knots.insert(knots.end(), options.knots_values.begin(), options.knots_values.end());
     knots.insert(knots.end(), 4, 100.0);
     Noise noise(31);
     std::vector<double> c(knots.size() - 4);
@@ -131,5 +131,5 @@ TEST(FitOfNoisyData, IsSavedFromOutliersByRejection) {
     EXPECT_LT(monte_carlo(Robust::tukey, true, 30).distance, 0.75);
 }
 
-}  // namespace
+}  // namespace fit_band_test
 }  // namespace batten

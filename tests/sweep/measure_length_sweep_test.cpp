@@ -9,7 +9,7 @@
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace measure_length_sweep_test {
 
 using namespace batten::testing;
 
@@ -91,5 +91,5 @@ TEST(HausdorffDistance, IsAsExactAsAskedAndKnowsItsError) {
     }
 }
 
-}  // namespace
+}  // namespace measure_length_sweep_test
 }  // namespace batten

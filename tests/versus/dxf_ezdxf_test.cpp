@@ -16,7 +16,7 @@
 
 // tests/versus/read_dxf.py compares, with python3-ezdxf.
 namespace batten {
-namespace {
+namespace dxf_ezdxf_test {
 
 using nlohmann::json;
 
@@ -39,13 +39,13 @@ json arc_entity(const Arc& arc, const std::string& layer) {
         entity["points"] = {{arc.start[0], arc.start[1], 0.0}, {arc.end[0], arc.end[1], 0.0}};
         return entity;
     }
-    const auto [x, y] = *arc.center();
+    const std::array<double, 2> center = *arc.center();
     const auto angle = [&](std::array<double, 2> p) {
-        const double degrees = std::atan2(p[1] - y, p[0] - x) * 180 / std::numbers::pi;
+        const double degrees = std::atan2(p[1] - center[1], p[0] - center[0]) * 180 / std::numbers::pi;
         return degrees < 0 ? degrees + 360 : degrees;
     };
     const bool left = arc.bulge > 0;
-    entity["arc"] = {x, y, *arc.radius(), angle(left ? arc.start : arc.end),
+    entity["arc"] = {center[0], center[1], *arc.radius(), angle(left ? arc.start : arc.end),
                      angle(left ? arc.end : arc.start)};
     return entity;
 }
@@ -136,5 +136,5 @@ TEST(Dxf, IsReadBackAsMeantAndPassesTheAudit) {
     EXPECT_EQ(status, 0);
 }
 
-}  // namespace
+}  // namespace dxf_ezdxf_test
 }  // namespace batten

@@ -9,7 +9,7 @@
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace interpolate_boost_test {
 
 /// x rising, y between -2 and 2, some of them equal.
 Points data(testing::Random& random, std::size_t count) {
@@ -61,5 +61,5 @@ TEST(Interpolate, AgreesWithBoostOnPchipBetweenTheSameEndSlopes) {
     });
 }
 
-}  // namespace
+}  // namespace interpolate_boost_test
 }  // namespace batten

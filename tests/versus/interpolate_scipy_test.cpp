@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -11,7 +13,15 @@
 
 // cases/spline_reference.json is made by tools/make_spline_reference.py.
 namespace batten {
-namespace {
+namespace interpolate_scipy_test {
+
+template <NamedEnum Enum>
+Enum word_of(const nlohmann::json& name) {
+    for (const auto& word : names_of(Enum{})) {
+        if (word.name == name.get<std::string>()) return word.value;
+    }
+    throw std::invalid_argument(name.get<std::string>());
+}
 
 /// Sets the field that has the key's name from a JSON value.
 struct FieldReader {
@@ -22,9 +32,9 @@ struct FieldReader {
         const auto found = options.find(name);
         if (found == options.end()) return;
         if constexpr (NamedEnum<Field>) {
-            for (const auto& word : names_of(field)) {
-                if (word.name == found->get<std::string>()) field = word.value;
-            }
+            field = word_of<Field>(*found);
+        } else if constexpr (std::is_same_v<Field, std::optional<Parameter>>) {
+            field = word_of<Parameter>(*found);
         } else if constexpr (std::is_same_v<Field, bool> ||
                              std::is_same_v<Field, std::vector<double>>) {
             field = found->get<Field>();
@@ -77,5 +87,5 @@ TEST(Interpolate, AgreesWithSciPyOnSplinesAndPchip) {
     }
 }
 
-}  // namespace
+}  // namespace interpolate_scipy_test
 }  // namespace batten

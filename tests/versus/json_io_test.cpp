@@ -8,7 +8,7 @@
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace json_io_test {
 
 using testing::Random;
 
@@ -74,5 +74,5 @@ TEST(JsonWriter, WritesWhatNlohmannJsonReads) {
     EXPECT_EQ(copy["list"], nlohmann::json::parse("[1, -0.5, null]"));
 }
 
-}  // namespace
+}  // namespace json_io_test
 }  // namespace batten

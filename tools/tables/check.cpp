@@ -35,7 +35,7 @@ struct Errors {
         above_energy += e > 1e-12;
         above_magnitude += r > 1e-8;
         above_length += l > 1e-9;
-        if (e > 1e-12) {
+        if (s.pseudo_energy > (1 + 1e-12) * m.pseudo_energy) {
             std::printf("J %.1e at %.17g %.17g\n", s.pseudo_energy / m.pseudo_energy - 1,
                         m.segment.theta0, m.segment.theta1);
         }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,10 +15,10 @@
 #include "batten/base/value.hpp"
 #include "batten/io/draw/drawing.hpp"
 #include "batten/io/files.hpp"
+#include "batten/io/grid_file.hpp"
 #include "batten/io/table.hpp"
 #include "batten/shape/curve.hpp"
-#include "batten/shape/curved_knot_surface.hpp"
-#include "batten/shape/spline_surface.hpp"
+#include "batten/shape/surface.hpp"
 
 /// Every operation as one row of one table: what the faces are made from.
 namespace batten {
@@ -34,6 +36,7 @@ struct Field {
     Limits limits;
     std::vector<std::string> choices;
     bool takes_file = false;  ///< a file can be named where numbers are expected
+    std::string bare = {};    ///< what the name alone means; empty: it needs a value
 };
 
 /// What can be given for an option: text as a person types it, or the thing itself.
@@ -44,18 +47,51 @@ struct Setting {
     Argument value;
 };
 
-/// A table, and the columns of it that are coordinates.
+/// A table, and the columns of it that are coordinates (none for operations that take a table); or
+/// points in the caller's memory, which must stay there until the operation has run.
 struct PointsInput {
     Table table;
     std::vector<int> columns;
+    std::optional<PointsView> borrowed = {};  ///< in place of the table's cells
 };
 
-/// What an operation works on.
-/// A grid comes as the bytes of its file, since the options tell how to read it.
-enum class InputKind { points, curve, points_or_curve, grid, surface };
+/// What an operation works on. A grid is a table, rows or a picture: the bytes of a file, since the
+/// options tell how to read them, or heights that are read.
+enum class InputKind {
+    points, curve, points_or_curve, table, none, grid, surface, curve_or_surface, any
+};
+
+/// What every face calls it.
+constexpr std::array<Named<InputKind>, 9> names_of(InputKind) {
+    return {{{"points", InputKind::points},
+             {"curve", InputKind::curve},
+             {"points_or_curve", InputKind::points_or_curve},
+             {"table", InputKind::table},
+             {"none", InputKind::none},
+             {"grid", InputKind::grid},
+             {"surface", InputKind::surface},
+             {"curve_or_surface", InputKind::curve_or_surface},
+             {"points_or_curve_or_surface", InputKind::any}}};
+}
+
+/// Whether an operation takes a curve, or a surface.
+constexpr bool takes_curve(InputKind kind) {
+    return kind == InputKind::curve || kind == InputKind::points_or_curve ||
+           kind == InputKind::curve_or_surface || kind == InputKind::any;
+}
+constexpr bool takes_surface(InputKind kind) {
+    return kind == InputKind::surface || kind == InputKind::curve_or_surface ||
+           kind == InputKind::any;
+}
+/// Whether it takes rows of numbers.
+constexpr bool takes_rows(InputKind kind) {
+    return kind == InputKind::points || kind == InputKind::points_or_curve ||
+           kind == InputKind::table || kind == InputKind::grid || kind == InputKind::any;
+}
+
 struct Input {
     std::string name;  ///< for errors and legends: the file's name, or what the caller calls it
-    std::variant<PointsInput, Curve, Source, SplineSurface> content;
+    std::variant<PointsInput, Curve, Source, GridFile, Surface> content;
 };
 
 /// Rows of named columns.
@@ -66,8 +102,7 @@ struct Rows {
 
 /// What an operation makes: nothing but its report, a curve, rows, a picture, or a surface.
 enum class OutputKind { report, curve, rows, drawing, surface };
-using Output =
-    std::variant<std::monostate, Curve, Rows, Drawing, SplineSurface, CurvedKnotSurface>;
+using Output = std::variant<std::monostate, Curve, Rows, Drawing, Surface>;
 
 /// One more form in which an output can be written, made only when somebody wants it.
 struct OutputForm {
@@ -82,6 +117,7 @@ struct Outcome {
     Value report;
     std::function<Drawing()> draw;  ///< makes the picture, only when somebody wants it
     std::vector<OutputForm> forms = {};  ///< beside those that every output of its kind has
+    std::function<Rows()> rows = {};     ///< what is written for a curve where rows are asked for
 };
 
 struct Operation {
@@ -96,6 +132,8 @@ struct Operation {
     /// Throws `Cancelled` where the progress is told to stop.
     std::function<Outcome(std::span<const Input>, const std::vector<Setting>&, const Progress&)>
         run;
+    /// Throws what `run` would throw for these settings alone, whatever the inputs.
+    std::function<void(const std::vector<Setting>&)> check = {};
 };
 
 /// All operations, in the order a person meets them.

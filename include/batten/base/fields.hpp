@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string_view>
 
 /// How options and reports describe themselves.
@@ -49,10 +51,22 @@ constexpr std::string_view name_of(E value) {
     return {};
 }
 
+/// A choice that may be named without a word: beside the enumeration stands
+///     constexpr E bare_word(E);
+/// which says what the name alone means.
+template <class E>
+concept BareEnum = NamedEnum<E> && requires(E e) { { bare_word(e) } -> std::same_as<E>; };
+
 /// An angle: radians in memory and in reports, degrees where a person types it.
 struct Angle {
     double radians = 0;
     bool operator==(const Angle&) const = default;
+};
+
+/// A number, or `auto`: found from the data.
+struct AutoNumber {
+    std::optional<double> value;
+    bool operator==(const AutoNumber&) const = default;
 };
 
 /// The tangent direction at one point: `index` from 0, absolute angle.

@@ -11,9 +11,9 @@ namespace batten {
 /// The tree of a `batten.curve/1` file, as docs/formats.md describes it: every number of the curve,
 /// exact.
 ///
-/// Piecewise cubics, B-splines and chains of arcs keep their kind; any other curve whose pieces are
-/// polynomials of degree 3 or less is written as piecewise cubics by its derivatives at the starts
-/// of the pieces.
+/// Piecewise cubics, B-splines, log-aesthetic curves and chains of arcs keep their kind; any other
+/// curve whose pieces are polynomials of degree 3 or less is written as piecewise cubics by its
+/// derivatives at the starts of the pieces.
 /// Throws `curve.not-exact` for all others, `number.overflow` where a coefficient is beyond a
 /// double. `name` is free text for people.
 ///

@@ -41,6 +41,9 @@ inline GridFile parse_grid(const Source& source) {
 }
 GridFile read_grid(const std::string& path);
 
+/// Heights whose lines are counted from 0. Throws `grid.too-small`.
+GridFile counted_grid(Grid z, const std::string& name);
+
 /// The table form: first row y, first column x, missing nodes empty.
 std::string csv_grid(const std::vector<double>& x, const std::vector<double>& y, GridView z);
 

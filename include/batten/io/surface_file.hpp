@@ -4,8 +4,7 @@
 
 #include "batten/base/value.hpp"
 #include "batten/io/files.hpp"
-#include "batten/shape/curved_knot_surface.hpp"
-#include "batten/shape/spline_surface.hpp"
+#include "batten/shape/surface.hpp"
 
 namespace batten {
 
@@ -17,12 +16,21 @@ Value surface_value(const SplineSurface& surface, const std::string& name = {});
 /// The surface that such a tree describes. Throws `surface.format`, `surface.entry`, and what
 /// BSplineBasis and SplineSurface throw.
 SplineSurface surface_of(const Value& tree, const std::string& place);
-SplineSurface parse_surface(const Source& source);
-SplineSurface read_surface(const std::string& path);
 
 /// A surface with curved knot lines, kind `curved-knots`, exact too.
 Value surface_value(const CurvedKnotSurface& surface, const std::string& name = {});
 CurvedKnotSurface curved_surface_of(const Value& tree, const std::string& place);
+
+/// A surface of either kind.
+Value surface_value(const Surface& surface, const std::string& name = {});
+Surface any_surface_of(const Value& tree, const std::string& place);
+/// Throws also what parse_json throws.
+Surface parse_surface(const Source& source);
+Surface read_surface(const std::string& path);
+
+/// Whether a tree, or a file, calls itself a surface rather than a curve.
+bool is_surface(const Value& tree);
+bool holds_surface(const Source& source);
 
 /// Points of a surface as a mesh of two triangles a cell, seen from above counter-clockwise.
 struct MeshPlaces {

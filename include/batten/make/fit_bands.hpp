@@ -16,6 +16,12 @@ struct Uncertain {
     double deviation = 0;
 };
 
+template <class Visit>
+void visit_fields(const Uncertain& r, Visit&& visit) {
+    visit("value", r.value, "the number");
+    visit("deviation", r.deviation, "its standard deviation");
+}
+
 /// The covariance of a fit's coefficients: Cov c = scale^2 (A^T W A)^-1, A the B-splines at the
 /// samples, W the weights 1 / sigma^2; kept as the triangle of the banded QR.
 ///

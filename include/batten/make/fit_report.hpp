@@ -86,7 +86,7 @@ struct FitReport {
 
 template <class Visit>
 void visit_fields(const FitReport& r, Visit&& visit) {
-    visit("intervals", r.intervals, "number of intervals");
+    visit("intervals", r.intervals, "n: inner knots, counted with their multiplicity, and 1");
     visit("parameters", r.parameters, "p: number of coefficients, the paper's count");
     visit("parameters_charged", r.parameters_charged, "p and the knots that were moved");
     visit("delta2", r.delta2, "weighted sum of squared residuals");

@@ -27,7 +27,8 @@ struct InterpolateReport {
     std::optional<std::vector<double>> tangent_angles_in;
     std::vector<std::string> notes;
     /// not_converged: pseudo-spline-global has reached its last step before its gradient vanished.
-    /// not_met: an arc-chain does not close smoothly.
+    /// not_met: an arc-chain does not close smoothly; log-aesthetic has kept tangents at 137 degrees
+    /// to a chord, where curvatures jump.
     Status status = Status::met;
 };
 
@@ -60,8 +61,9 @@ struct Interpolation {
 /// hermite methods, 1 and more for splines and lagrange), with its measures. See
 /// docs/interpolation.md.
 ///
-/// Breaks: pseudo-spline, hermite, lagrange and uniform: 0, 1, 2, ...; chord and centripetal: from
-/// 0 by their steps; given parameters: these; pchip and makima: x; arc-chain: arc lengths.
+/// Breaks: pseudo-spline, hermite and uniform: 0, 1, 2, ...; chord and centripetal: from 0 by their
+/// steps; given parameters: these; pchip and makima: x; arc-chain and log-aesthetic: arc lengths.
+/// Unless told, spline is by chords and lagrange uniform.
 /// Laws:   (1) through the points, bit for bit
 ///         (2) points x 2^k (given parameters as they are): the curve x 2^k, exactly
 ///         (3) the mirror image (x, -y) exactly; reversal and rotation to rounding

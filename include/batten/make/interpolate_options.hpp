@@ -25,9 +25,10 @@ enum class Method {
     lagrange_2,            ///< moving windows of three points [Nakajima]: tangents jump
     lagrange_3,            ///< ... of four points
     arc_chain,             ///< one circular arc a chord, tangents joined [Nakajima, section 5]
+    log_aesthetic,         ///< one log-aesthetic arc a span, curvature continuous
 };
 
-constexpr std::array<Named<Method>, 12> names_of(Method) {
+constexpr std::array<Named<Method>, 13> names_of(Method) {
     return {{{"pseudo-spline", Method::pseudo_spline},
              {"pseudo-spline-global", Method::pseudo_spline_global},
              {"natural-uniform", Method::natural_uniform},
@@ -39,7 +40,8 @@ constexpr std::array<Named<Method>, 12> names_of(Method) {
              {"makima", Method::makima},
              {"lagrange-2", Method::lagrange_2},
              {"lagrange-3", Method::lagrange_3},
-             {"arc-chain", Method::arc_chain}}};
+             {"arc-chain", Method::arc_chain},
+             {"log-aesthetic", Method::log_aesthetic}}};
 }
 
 /// What an open spline does at its two ends.
@@ -54,7 +56,7 @@ constexpr std::array<Named<Ends>, 3> names_of(Ends) {
         {{"natural", Ends::natural}, {"clamped", Ends::clamped}, {"not-a-knot", Ends::not_a_knot}}};
 }
 
-/// How fast the parameter of a spline grows from point to point.
+/// How fast the parameter of a spline or of a lagrange method grows from point to point.
 enum class Parameter {
     uniform,      ///< 1 a chord
     chord,        ///< the chord's length
@@ -68,18 +70,20 @@ constexpr std::array<Named<Parameter>, 3> names_of(Parameter) {
 }
 
 constexpr double most_weight_exponent = 8;
+constexpr double most_alpha = 20;
 
 /// What is asked of a curve through points; `visit_fields` says what each member means.
 struct InterpolateOptions {
     Method method = Method::pseudo_spline;
     Ends ends = Ends::natural;
-    Parameter parameter = Parameter::chord;
+    std::optional<Parameter> parameter;
     std::vector<double> parameter_values;
     bool exact = false;
     bool closed = false;
     std::vector<int> corner;
     std::vector<FixedTangent> tangent;
     double weight_exponent = 1;
+    double alpha = -1;
     std::optional<IndexRange> part;
     Progress progress = {};
 };
@@ -90,7 +94,8 @@ void visit_fields(Options& o, Visit&& visit) {
     visit("method", o.method, anything, "how the curve goes through the points");
     visit("ends", o.ends, anything, "what an open spline does at its ends (method spline)");
     visit("parameter", o.parameter, anything,
-          "how the parameter grows from point to point (method spline)");
+          "how the parameter grows from point to point (spline: chord unless given; lagrange methods: "
+          "uniform)");
     visit("parameter_values", o.parameter_values, anything,
           "the parameters themselves, strictly increasing, one a point; closed: one more, where "
           "the curve comes back (spline and lagrange methods)");
@@ -98,15 +103,18 @@ void visit_fields(Options& o, Visit&& visit) {
           "find the tangents and speeds of a pseudo-spline by minimisation, without tables");
     visit("closed", o.closed, anything, "go on from the last point to the first");
     visit("corner", o.corner, anything,
-          "the points, from 0, where the curve may break its direction (pseudo-spline and hermite "
-          "methods)");
+          "the points, from 0, where the curve may break its direction (pseudo-spline, hermite "
+          "and log-aesthetic methods)");
     visit("tangent", o.tangent, anything,
-          "directions fixed at points, from 0 (pseudo-spline and hermite methods; the two ends of "
-          "an open clamped spline; the start of an arc-chain)");
+          "directions fixed at points, from 0 (pseudo-spline, hermite and log-aesthetic methods; the "
+          "two ends of an open clamped spline; the start of an arc-chain)");
     visit("weight_exponent", o.weight_exponent,
           between(-most_weight_exponent, most_weight_exponent),
           "how chord lengths weigh in a pseudo-spline's tangents: 1 as in the paper, -1 for evenly "
           "curved arcs through uneven points");
+    visit("alpha", o.alpha, between(-most_alpha, most_alpha),
+          "the kind of the arcs of method log-aesthetic: -1 clothoids, 0 Nielsen's and 1 logarithmic "
+          "spirals, 2 circle involutes");
     visit("part", o.part, anything,
           "keep the curve between two points only, after it has been made through all of them");
 }

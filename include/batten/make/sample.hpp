@@ -76,6 +76,13 @@ struct Sampling {
 ///         plane; `curve.no-length`; `curve.not-finite`; `number.overflow`.
 Sampling sample(const Curve& curve, const SampleOptions& options);
 
+/// The mean speed on each piece of the curve, its length by the time that the law spends on it.
+///
+/// The duration is `duration`, or the law's own, or 1; options that say how many points are not
+/// looked at. Accuracy: 1e-12 of the whole time. Cost: 50 looks at the law a piece.
+/// Throws: what `sample` throws; `motion.no-time` where the law jumps over a piece.
+std::vector<double> piece_speeds(const Curve& curve, const SampleOptions& options);
+
 /// Points on the natural spline through `points` (two coordinates), placed as in [HaradaNakamae,
 /// section 3] with its formulas put right: the spline by chord lengths with a point more beyond the
 /// end, a step along the tangent in the coordinate that moves faster, from joint to joint, and a

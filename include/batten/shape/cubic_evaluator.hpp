@@ -10,6 +10,10 @@
 
 namespace batten {
 
+namespace cubics {
+struct Indexed;
+}
+
 /// Piecewise cubics prepared for many parameters in any order: what a piece needs lies together,
 /// and an index of equal cells finds the piece.
 ///
@@ -25,11 +29,12 @@ public:
     /// bits of `Curve::jets`. A parameter outside the domain continues the first or last piece.
     ///
     /// Requires: out.size() == t.size() * (order + 1) * dim. Allocates nothing.
-    /// Cost: sorted parameters 2 ns a number, random ones some 10 ns each with 10^4 pieces.
+    /// Cost: sorted parameters 0.4 to 1 ns a value, random ones 4 ns each with 10^4 pieces, by the
+    /// vectors that the processor offers; the same bits by each.
     void evaluate(std::span<const double> t, int order, std::span<double> out) const;
 
 private:
-    std::size_t piece_of(double t) const;
+    cubics::Indexed indexed() const;
 
     std::size_t dim_;
     std::vector<double> breaks_;

@@ -15,6 +15,8 @@ namespace batten {
 struct Partial {
     int x = 0;
     int y = 0;
+
+    bool operator==(const Partial&) const = default;
 };
 
 /// A height with its first and second derivatives.

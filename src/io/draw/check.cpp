@@ -24,7 +24,7 @@ struct Inspector {
     void require_linear() const {
         if (!has_log()) return;
         throw Error("drawing.option", place, "a logarithmic axis",
-                    "only points, polylines and texts can be drawn there");
+                    "only points, polylines, regions and texts can be drawn there");
     }
 
     void inspect_dim(int found) {
@@ -73,6 +73,9 @@ struct Inspector {
             throw Error("drawing.option", place + " corners", std::to_string(i),
                         "a corner must be one of the points, counted from 0");
         }
+    }
+    void operator()(const RegionsLayer& layer) {
+        for (const Points& outline : layer.outlines) inspect(outline);
     }
     void operator()(const ControlPolygonLayer& layer) {
         inspect(layer.curve);

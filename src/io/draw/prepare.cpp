@@ -42,6 +42,11 @@ struct Preparation {
         box.add(layer.points);
         pad(layer.labels == PointLabels::none ? 14 : 30);
     }
+    void operator()(const RegionsLayer& layer) {
+        ready.tone = layer.tone;
+        for (const Points& outline : layer.outlines) box.add(outline);
+        pad(14);
+    }
     void operator()(const ControlPolygonLayer& layer) {
         ready.tone = layer.tone;
         ready.trace = trace_of(layer.curve);

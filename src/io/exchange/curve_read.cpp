@@ -9,6 +9,7 @@
 #include "batten/io/svg_path.hpp"
 #include "batten/shape/arc_chain.hpp"
 #include "batten/shape/bspline.hpp"
+#include "batten/shape/log_aesthetic.hpp"
 #include "io/tables/utf8.hpp"
 
 namespace batten {
@@ -201,6 +202,31 @@ Curve read_arcs(const Entries& entries) {
     return ArcChain(std::move(points), std::move(bulges), entries.truth("closed"));
 }
 
+Curve read_log_aesthetic(const Entries& entries) {
+    const Points points = entries.points("points");
+    const ValueList& arcs = entries.list("arcs");
+    std::vector<LogAestheticSegment> segments;
+    std::vector<double> row;
+    for (const Value& arc : arcs) {
+        row.clear();
+        entries.append_row(row, arc, 4, Entries::at("arcs", segments.size()));
+        segments.push_back({row[0], row[1], row[2], row[3]});
+    }
+    std::vector<double> angles = entries.numbers("angles");
+    require_size(entries, "angles", angles.size(), segments.size());
+    require_size(entries, "points", points.size(), segments.size() + 1);
+    const bool closed = entries.truth("closed");
+    if (closed) require_closed(points, entries.place("points"));
+    LogAestheticCurve curve(points, std::move(angles), std::move(segments), closed);
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+        if (curve.miss(i) <= largest_gap) continue;
+        throw Error("curve.gap", entries.place(Entries::at("arcs", i)),
+                    format_number(curve.miss(i)) + " of its length",
+                    "an arc must end at the next point");
+    }
+    return curve;
+}
+
 Error wrong_format(const std::string& place, std::string value) {
     return {"curve.format", place, std::move(value),
             std::string("a curve is a map with \"format\": \"") + format_name +
@@ -222,12 +248,13 @@ Curve curve_of(const Value& tree, const std::string& place) {
         if (name == "piecewise-cubic") return read_cubic(entries);
         if (name == "b-spline") return read_bspline(entries);
         if (name == "arcs") return read_arcs(entries);
+        if (name == "log-aesthetic") return read_log_aesthetic(entries);
     } catch (const Error& error) {
         const bool is_placed = error.place().rfind(place, 0) == 0;
         throw is_placed ? error : error.at(place + ", " + error.place());
     }
     throw Error("curve.kind", entries.place("kind"), shown(kind),
-                "piecewise-cubic, b-spline or arcs is needed here");
+                "piecewise-cubic, b-spline, arcs or log-aesthetic is needed here");
 }
 
 Curve parse_curve(const Source& source) {

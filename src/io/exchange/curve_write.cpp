@@ -4,6 +4,7 @@
 #include "batten/io/curve_file.hpp"
 #include "batten/shape/arc_chain.hpp"
 #include "batten/shape/bspline.hpp"
+#include "batten/shape/log_aesthetic.hpp"
 #include "batten/shape/transform.hpp"
 
 namespace batten {
@@ -81,6 +82,19 @@ Value arcs_value(const ArcChain& chain, const std::string& name) {
     return map;
 }
 
+Value log_aesthetic_value(const LogAestheticCurve& curve, const std::string& name) {
+    ValueMap map = heading("log-aesthetic", name);
+    map.emplace_back("closed", curve.is_closed());
+    map.emplace_back("points", rows(curve.joints()));
+    map.emplace_back("angles", numbers(curve.angles()));
+    ValueList arcs;
+    for (const LogAestheticSegment& s : curve.segments()) {
+        arcs.emplace_back(ValueList{s.alpha, s.length, s.start_curvature, s.end_curvature});
+    }
+    map.emplace_back("arcs", std::move(arcs));
+    return map;
+}
+
 }  // namespace
 
 Value curve_value(const Curve& curve, const std::string& name) {
@@ -88,6 +102,9 @@ Value curve_value(const Curve& curve, const std::string& name) {
         return bspline_value(*bspline, name);
     }
     if (const ArcChain* chain = curve.shape<ArcChain>()) return arcs_value(*chain, name);
+    if (const LogAestheticCurve* arcs = curve.shape<LogAestheticCurve>()) {
+        return log_aesthetic_value(*arcs, name);
+    }
     if (const std::optional<PiecewiseCubic> cubic = exact_cubic(curve)) {
         return cubic_value(*cubic, name);
     }

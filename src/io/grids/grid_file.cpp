@@ -17,8 +17,6 @@ std::vector<double> counted(std::size_t count) {
 GridFile grid_of_npy(const Source& source) {
     const tables::NpyGrid array = tables::read_npy_grid(source.bytes, source.name);
     GridFile file;
-    file.x = counted(array.rows);
-    file.y = counted(array.columns);
     file.z = Grid(array.rows, array.columns);
     for (std::size_t i = 0; i < array.rows; ++i) {
         for (std::size_t j = 0; j < array.columns; ++j) {
@@ -31,6 +29,21 @@ GridFile grid_of_npy(const Source& source) {
             if (std::isnan(value)) file.z.drop(i, j);
             else file.z(i, j) = value;
         }
+    }
+    file.x = counted(array.rows);
+    file.y = counted(array.columns);
+    return file;
+}
+
+GridFile checked(GridFile file, const std::string& name) {
+    file.source = name;
+    if (file.x.size() < 2 || file.y.size() < 2) {
+        throw Error("grid.too-small", name,
+                    std::to_string(file.x.size()) + " x " + std::to_string(file.y.size()),
+                    "a grid has at least two lines in each direction");
+    }
+    if (file.z.missing() > 0) {
+        file.notes.push_back(std::to_string(file.z.missing()) + " nodes are missing");
     }
     return file;
 }
@@ -62,16 +75,15 @@ GridFile parse_grid(const Source& source, GridFormat format) {
         case GridFormat::png: file = grids::read_png(source.bytes, source.name); break;
         case GridFormat::text: file = grids::read_text(source.bytes, source.name); break;
     }
-    file.source = source.name;
-    if (file.x.size() < 2 || file.y.size() < 2) {
-        throw Error("grid.too-small", source.name,
-                    std::to_string(file.x.size()) + " x " + std::to_string(file.y.size()),
-                    "a grid has at least two lines in each direction");
-    }
-    if (file.z.missing() > 0) {
-        file.notes.push_back(std::to_string(file.z.missing()) + " nodes are missing");
-    }
-    return file;
+    return checked(std::move(file), source.name);
+}
+
+GridFile counted_grid(Grid z, const std::string& name) {
+    GridFile file;
+    file.x = counted(z.nu());
+    file.y = counted(z.nv());
+    file.z = std::move(z);
+    return checked(std::move(file), name);
 }
 
 GridFile read_grid(const std::string& path) { return parse_grid(read_source(path)); }

@@ -135,13 +135,35 @@ CurvedKnotSurface curved_surface_of(const Value& tree, const std::string& place)
             numbers_of(tree.find("coefficients"), place, "coefficients")};
 }
 
-SplineSurface parse_surface(const Source& source) {
-    if (source.bytes.empty() || source.bytes.find('{') == std::string::npos) {
-        throw Error("surface.format", source.name, "no map", "a surface is a JSON file");
-    }
-    return surface_of(parse_json(source.bytes, source.name), source.name);
+Value surface_value(const Surface& surface, const std::string& name) {
+    return std::visit([&](const auto& each) { return surface_value(each, name); }, surface);
 }
 
-SplineSurface read_surface(const std::string& path) { return parse_surface(read_source(path)); }
+bool is_surface(const Value& tree) {
+    const Value* format = tree.find("format");
+    return format && format->text() && format->text()->rfind("batten.surface/", 0) == 0;
+}
+
+bool holds_surface(const Source& source) {
+    // The format is the first entry of what is written; other orders are found as well.
+    return source.bytes.find("\"batten.surface/") != std::string::npos;
+}
+
+Surface any_surface_of(const Value& tree, const std::string& place) {
+    const Value* kind = tree.find("kind");
+    if (kind && kind->text() && *kind->text() == "curved-knots") {
+        return curved_surface_of(tree, place);
+    }
+    return surface_of(tree, place);
+}
+
+Surface parse_surface(const Source& source) {
+    if (source.bytes.find('{') == std::string::npos) {
+        throw Error("surface.format", source.name, "no map", "a surface is a JSON file");
+    }
+    return any_surface_of(parse_json(source.bytes, source.name), source.name);
+}
+
+Surface read_surface(const std::string& path) { return parse_surface(read_source(path)); }
 
 }  // namespace batten

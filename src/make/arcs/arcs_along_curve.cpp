@@ -82,7 +82,9 @@ Row CurveChain::row(const std::vector<double>& joints) {
     for (std::size_t i = 0; i + 1 < corners_.size(); ++i) {
         const auto lo = std::lower_bound(joints.begin(), joints.end(), corners_[i]);
         const auto hi = std::upper_bound(lo, joints.end(), corners_[i + 1]);
-        const Section section = section_of(task_.curve, {lo, hi});
+        const std::span<const double> between = std::span<const double>(joints).subspan(
+            static_cast<std::size_t>(lo - joints.begin()), static_cast<std::size_t>(hi - lo));
+        const Section section = section_of(task_.curve, between);
         if (section.points.size() < 2) continue;
         const std::optional<Vector> start = start_of(section, i == 0);
         closes_ = closes_ && start.has_value();

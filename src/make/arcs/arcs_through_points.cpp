@@ -35,6 +35,8 @@ struct Polygon {
 Polygon polygon_of(PointsView points, bool closed) {
     Polygon result;
     result.closed = closed;
+    result.points.reserve(points.size());
+    result.row_of_input.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::size_t n = result.points.size();
         if (n == 0 || !(plane::at(points, i) == plane::at(result.points, n - 1))) {

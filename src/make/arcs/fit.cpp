@@ -71,6 +71,7 @@ Row chain_row(PointsView points, Vector start, double max_radius) {
     std::vector<double> bulges(points.size() - 1);
     tangent_chain(points, start, bulges);
     Row row;
+    row.arcs.reserve(bulges.size());
     for (std::size_t i = 0; i < bulges.size(); ++i) {
         if (!std::isfinite(bulges[i])) {
             throw Error("arcs.chord-against-start", "point " + std::to_string(i),
@@ -89,6 +90,7 @@ ArcFit assembled(const Row& row, bool closed) {
     Points joints(0, 2);
     std::vector<double> bulges;
     joints.reserve(row.arcs.size() + 1);
+    bulges.reserve(row.arcs.size());
     for (const Arc& arc : row.arcs) {
         joints.push_back(arc.start);
         bulges.push_back(arc.bulge);
@@ -97,6 +99,7 @@ ArcFit assembled(const Row& row, bool closed) {
     ArcFit fit{ArcChain(std::move(joints), std::move(bulges), closed), {}};
     ArcsReport& report = fit.report;
     const std::size_t n = fit.chain.arcs();
+    report.arc.reserve(n);
     for (std::size_t i = 0; i < n; ++i) {
         const Arc arc = fit.chain.arc(i);
         report.arc.push_back(record_of(arc, row.errors[i]));

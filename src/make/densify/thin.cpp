@@ -15,6 +15,12 @@ namespace {
 
 using namespace lagrange;
 
+void require_finite_error(double error, const std::string& place) {
+    if (std::isfinite(error)) return;
+    throw Error("number.overflow", place, "beyond a double",
+                "scale the points down or spread them out");
+}
+
 /// Runs of cells whose curve still moves by more than the tolerance with the next higher degree.
 std::vector<ShortageRecord> shortages(const Thinning& thinning) {
     std::vector<ShortageRecord> runs;
@@ -26,6 +32,7 @@ std::vector<ShortageRecord> shortages(const Thinning& thinning) {
         ShortageRecord& run = runs.back();
         run.to = cell + 1;
         run.error = std::max(run.error, errors[cell]);
+        require_finite_error(run.error, "cell " + std::to_string(cell));
         run.times = std::ceil(std::pow(run.error / thinning.tolerance(), 1 / order));
     }
     return runs;
@@ -45,6 +52,7 @@ Thinned thin(PointsView points, const ThinOptions& options) {
         kept = thinning.found(Care::full);
         error = thinning.error(kept);
     }
+    require_finite_error(error, "max_error");
     Thinned result{thinning.rows(kept), std::move(kept), {}};
     result.report.points_in = points.size();
     result.report.points_out = result.points.size();

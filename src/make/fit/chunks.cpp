@@ -45,7 +45,7 @@ FitChunk::FitChunk(Interval domain, std::vector<double> interior_knots, int degr
     if (!(domain.lo < domain.hi) || !std::isfinite(domain.length())) {
         throw Error("fit.knots", "domain", format_number(domain.lo), "must have positive length");
     }
-    require_knot_values(interior_knots, domain, degree);
+    require_inner_knots(interior_knots, domain, degree);
     knots_ = open_knots(domain, interior_knots, degree + 1);
     const TriangleShape shape{degree + 1, 1};
     const std::size_t spans = spans_of(knots_, degree + 1).size();

@@ -32,9 +32,29 @@ std::vector<double> inverse_band(const num::BandedQr& qr) {
 
 }  // namespace
 
-CoefficientLaw::CoefficientLaw(SplineFunction spline, KnotSystem system, int functions)
+CoefficientLaw::CoefficientLaw(SplineFunction spline, KnotSystem system, int functions,
+                               const std::vector<std::vector<double>>& held)
     : spline_(std::move(spline)), system_(std::move(system)), functions_(functions) {
-    if (system_.ends() == Ends::open) band_ = inverse_band(system_.qr());
+    for (const std::vector<double>& form : held) {
+        // Twice is enough [GolubVanLoan2013, 5.2.8].
+        std::vector<double> v = without_known(without_known(forward(form)));
+        double sum = 0, before = 0;
+        for (const double x : v) sum += x * x;
+        for (const double x : forward(form)) before += x * x;
+        if (!(sum > 1e-20 * before)) continue;
+        for (double& x : v) x /= std::sqrt(sum);
+        known_.push_back(std::move(v));
+    }
+    if (system_.ends() == Ends::open && known_.empty()) band_ = inverse_band(system_.qr());
+}
+
+std::vector<double> CoefficientLaw::without_known(std::vector<double> v) const {
+    for (const std::vector<double>& q : known_) {
+        double product = 0;
+        for (std::size_t i = 0; i < v.size(); ++i) product += q[i] * v[i];
+        for (std::size_t i = 0; i < v.size(); ++i) v[i] -= product * q[i];
+    }
+    return v;
 }
 
 std::size_t CoefficientLaw::unknown(int c) const {
@@ -87,7 +107,7 @@ std::vector<double> CoefficientLaw::forward(std::vector<double> a) const {
         const double value = a[columns + j] = r[j] == 0 ? 0 : a[columns + j] / r[j];
         for (int l = j + 1; l < border; ++l) a[columns + l] -= r[l] * value;
     }
-    return a;
+    return known_.empty() ? a : without_known(std::move(a));
 }
 
 std::vector<double> CoefficientLaw::apply(std::vector<double> a) const {

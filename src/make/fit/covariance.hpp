@@ -14,7 +14,10 @@ namespace fitting {
 /// them: everything in units of the data's sigma.
 class CoefficientLaw {
 public:
-    CoefficientLaw(SplineFunction spline, KnotSystem system, int functions);
+    /// `held`: linear forms of the coefficients that are known exactly; what they say is not in
+    /// doubt any more.
+    CoefficientLaw(SplineFunction spline, KnotSystem system, int functions,
+                   const std::vector<std::vector<double>>& held = {});
 
     /// The derivatives at x of the B-splines that are not zero there.
     struct Functions {
@@ -29,7 +32,8 @@ public:
     std::size_t unknown(int c) const;
     /// As a vector over all unknowns.
     std::vector<double> spread(const Functions& f) const;
-    /// R^-T a, for a functional a of the unknowns: its variance is the square of the norm.
+    /// R^-T a, for a functional a of the unknowns, less what is known exactly: its variance is the
+    /// square of the norm.
     std::vector<double> forward(std::vector<double> a) const;
     /// (R^T R)^-1 a.
     std::vector<double> apply(std::vector<double> a) const;
@@ -39,10 +43,13 @@ public:
     double integral_variance(Interval part) const;
 
 private:
+    std::vector<double> without_known(std::vector<double> v) const;
+
     SplineFunction spline_;
     KnotSystem system_;
     int functions_;
-    std::vector<double> band_;  ///< (R^T R)^-1 inside the band; open splines only
+    std::vector<double> band_;  ///< (R^T R)^-1 inside the band; open splines without held forms
+    std::vector<std::vector<double>> known_;  ///< R^-T held, made orthonormal
 };
 
 /// A fit with other knots that the data find plausible too.

@@ -17,9 +17,10 @@ void fill_criteria(FitReport& report, const FixedFit& fixed, const Misfit& misfi
         throw Error("number.overflow", "delta2", format_number(misfit.delta2),
                     "is beyond the range of a double");
     }
+    const int parameters = misfit.sides * fixed.functions - fixed.fixed_count;
     const FitCriteria c =
-        fit_criteria(misfit.delta2, misfit.samples, fixed.functions, misfit.knowledge);
-    report.parameters = report.parameters_charged = fixed.functions;
+        fit_criteria(misfit.delta2, misfit.samples, parameters, misfit.knowledge);
+    report.parameters = report.parameters_charged = parameters;
     report.rank = fixed.rank;
     report.undetermined = fixed.undetermined;
     report.samples = misfit.samples;
@@ -29,7 +30,7 @@ void fill_criteria(FitReport& report, const FixedFit& fixed, const Misfit& misfi
     report.bic = c.bic;
     report.aicc = c.aicc;
     report.gcv = c.gcv;
-    const double degrees = static_cast<double>(misfit.samples) - fixed.functions;
+    const double degrees = static_cast<double>(misfit.samples) - parameters;
     if (misfit.knowledge == SigmaKnowledge::known && degrees > 0) {
         report.chi2_p = chi2_survival(misfit.delta2, degrees);
     }
@@ -43,7 +44,8 @@ void fill_tally(FitReport& report, const ResidualTally& tally) {
 }
 
 void fill_spline(FitReport& report, const SplineFunction& spline) {
-    report.intervals = static_cast<int>(spline.pieces());
+    // The paper's n, in which a double knot has an interval of no length.
+    report.intervals = static_cast<int>(spline.coefficients().size()) - spline.degree();
     report.breaks.assign(spline.breaks().begin(), spline.breaks().end());
     report.knots.assign(spline.knots().begin(), spline.knots().end());
     report.coefficients.assign(spline.coefficients().begin(), spline.coefficients().end());

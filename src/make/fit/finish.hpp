@@ -13,6 +13,7 @@ struct Misfit {
     double delta2 = 0;
     std::size_t samples = 0;
     SigmaKnowledge knowledge = SigmaKnowledge::known;
+    int sides = 1;  ///< coordinates, each with its own coefficients
 };
 void fill_criteria(FitReport& report, const FixedFit& fixed, const Misfit& misfit);
 

@@ -5,6 +5,7 @@
 
 #include "make/fit/finish.hpp"
 #include "make/fit/knot_choice.hpp"
+#include "make/fit/shape_limits.hpp"
 
 namespace batten {
 namespace {
@@ -18,12 +19,20 @@ struct FinalFit {
     std::unique_ptr<Samples> weighted;  ///< null: the samples as they are
     FixedFit fixed;
     std::vector<std::size_t> rejected;
+    bool is_within = true;  ///< the limits asked for could be kept
 };
+
+/// Keeps the limits asked for, if any; whether that could be done.
+bool limit(FixedFit& fixed, const FitOptions& options) {
+    return !has_limits(options) ||
+           (fixed.undetermined.empty() && keep_within_limits(fixed, options));
+}
 
 FinalFit final_fit(const Samples& samples, const LocalBasis& basis, const KnotChoice& choice,
                    const FitOptions& options) {
     const Ends ends = ends_of(options);
     FinalFit result{nullptr, solve_fixed(samples, choice.knots, basis, ends), {}};
+    result.is_within = limit(result.fixed, options);
     if (options.robust == Robust::none) return result;
     std::vector<double> e(samples.size()), before;
     for (int round = 0; round < most_final_rounds; ++round) {
@@ -35,6 +44,7 @@ FinalFit final_fit(const Samples& samples, const LocalBasis& basis, const KnotCh
         auto weighted = std::make_unique<Samples>(reweighted(samples, before));
         FixedFit fixed = solve_fixed(*weighted, choice.knots, basis, ends);
         if (!fixed.undetermined.empty()) break;
+        result.is_within = limit(fixed, options);
         result.fixed = std::move(fixed);
         result.weighted = std::move(weighted);
     }
@@ -58,8 +68,9 @@ Width width_of(const FitReport& report) {
     return width;
 }
 
-Status status_of(const FitReport& report, const KnotChoice& choice) {
+Status status_of(const FitReport& report, const KnotChoice& choice, bool is_within) {
     if (report.status != Status::met) return report.status;
+    if (!is_within) return Status::not_met;
     if (!choice.is_converged) return Status::not_converged;
     return choice.is_met ? Status::met : Status::not_met;
 }
@@ -88,9 +99,10 @@ Fit fit(const FitSamples& given, const FitOptions& options) {
     if (samples.sigma.empty()) report.sigma = samples.common_sigma;
     report.path = std::move(choice.path);
     report.notes = std::move(choice.notes);
-    report.status = status_of(report, choice);
+    report.status = status_of(report, choice, last.is_within);
+    if (!last.is_within) report.notes.push_back("limits: no spline over these knots keeps them");
     const FitCovariance covariance(std::make_shared<FitCovariance::Model>(FitCovariance::Model{
-        CoefficientLaw(spline, last.fixed.system, last.fixed.functions),
+        CoefficientLaw(spline, last.fixed.system, last.fixed.functions, last.fixed.held),
         std::move(choice.alternatives), width_of(report)}));
     if (report.undetermined.empty()) fill_band(report, spline, covariance);
     if (options.suggest > 0) {

@@ -28,7 +28,7 @@ double largest_entry(std::span<const double> blocks, const TriangleShape& shape)
 
 FixedFit solve_from(std::vector<double> knots, const LocalBasis& basis, const TriangleShape& shape,
                     Ends ends, std::span<const double> triangles, std::span<const Cell> cells) {
-    FixedFit fit{std::move(knots), KnotSystem(basis, shape, ends), 0, 0, {}};
+    FixedFit fit{std::move(knots), KnotSystem(basis, shape, ends), 0, 0, {}, {}, {}, 0};
     const int order = shape.order;
     const std::vector<std::size_t> spans = spans_of(fit.knots, order);
     const std::size_t block = fit.system.block_size();
@@ -83,6 +83,7 @@ FixedFit solve_fixed(const Samples& samples, std::vector<double> knots, const Lo
 SplineFunction spline_of(const FixedFit& fixed, int side) {
     const std::span<const double> c = fixed.system.coefficients(side);
     std::vector<double> values(c.begin(), c.end());
+    if (!fixed.limited.empty()) values = fixed.limited;
     for (std::size_t j = 0; j < values.size(); ++j) {
         if (std::isfinite(values[j])) continue;
         throw Error("number.overflow", "coefficient " + std::to_string(j),

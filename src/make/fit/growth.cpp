@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "make/fit/moments.hpp"
 #include "num/cox_de_boor.hpp"
 
 namespace batten::fitting {
@@ -41,7 +42,8 @@ void Growth::restart(std::span<const double> breaks) {
     for (std::size_t i = 0; i < pieces_.size(); ++i) make_triangle(i);
     index_knots();
     blocks_.resize(pieces_.size() * system_.block_size());
-    make_blocks(0, pieces_.size());
+    maps_.resize(pieces_.size() * map_size());
+    is_stale_.assign(pieces_.size(), 1);
 }
 
 void Growth::make_triangle(std::size_t i) {
@@ -77,14 +79,20 @@ void Growth::index_knots() {
     for (std::size_t i = 0; i < firsts_.size(); ++i) firsts_[i] = static_cast<int>(i);
 }
 
-void Growth::make_blocks(std::size_t first, std::size_t last) {
+void Growth::make_stale_blocks() {
     const std::size_t shift = static_cast<std::size_t>(system_.order()) - 1;
-    for (std::size_t i = first; i < last; ++i) {
-        system_.make_block(knots_, i + shift, triangle(i), blocks_.data() + i * system_.block_size());
+    if (firsts_.size() != pieces_.size()) index_knots();
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        if (!is_stale_[i]) continue;
+        is_stale_[i] = 0;
+        double* const map = maps_.data() + i * map_size();
+        system_.to_chebyshev(knots_, i + shift, map);
+        system_.make_block_from(map, triangle(i), blocks_.data() + i * system_.block_size());
     }
 }
 
 void Growth::refit() {
+    make_stale_blocks();
     system_.solve(functions(), firsts_, blocks_);
     part_sums_.resize(pieces_.size());
     delta2_ = 0;
@@ -98,25 +106,18 @@ void Growth::refit() {
 
 void Growth::residuals(std::span<double> out) const {
     const int k = system_.order();
-    double b[num::most_order * num::most_order], p[num::most_order];
+    double p[num::most_order];
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        system_.to_chebyshev(knots_, i + static_cast<std::size_t>(k) - 1, b);
+        const double* const b = maps_.data() + i * map_size();
         const double* const c = system_.coefficients(0).data() + firsts_[i];
         for (int a = 0; a < k; ++a) {
             p[a] = 0;
             for (int j = 0; j < k; ++j) p[a] += b[a * k + j] * c[j];
         }
-        const LocalScale scale(pieces_[i].span);
-        for (std::size_t r = pieces_[i].rows.first; r < pieces_[i].rows.last; ++r) {
-            const double u = scale(samples_->x[r]);
-            double b1 = 0, b2 = 0;
-            for (int j = k - 1; j > 0; --j) {
-                const double b0 = p[j] + (2 * u * b1 - b2);
-                b2 = b1;
-                b1 = b0;
-            }
-            out[r] = samples_->sides[0][r] - (p[0] + (u * b1 - b2));
-        }
+        const std::size_t first = pieces_[i].rows.first;
+        fitting::residuals({samples_->x.data() + first, samples_->sides[0].data() + first, nullptr,
+                            pieces_[i].rows.count()},
+                           LocalScale(pieces_[i].span), k, p, out.data() + first);
     }
 }
 
@@ -151,7 +152,22 @@ bool Growth::can_split(int i) const {
         return left.count() > 0 && left.count() < piece.rows.count();
     }
     if (piece.rows.count() == 0) return false;
+    const std::size_t order = static_cast<std::size_t>(system_.order());
+    const Rows left = rows_in(*samples_, piece.rows, {piece.span.lo, middle}, RightEnd::open);
+    const Rows right{left.last, piece.rows.last};
+    // Enough for all functions that live there: then no other interval has to lend any.
+    if (has_distinct(left, order) && has_distinct(right, order + 1)) return true;
     return rank_of(cells_with(i), functions() + 1) == functions() + 1;
+}
+
+bool Growth::has_distinct(Rows rows, std::size_t count) const {
+    if (rows.count() < count + 1) return false;
+    // The first may lie on the knot, where one function less is not zero.
+    std::size_t found = 0;
+    for (std::size_t r = rows.first + 1; r < rows.last && found < count; ++r) {
+        found += samples_->x[r] > samples_->x[r - 1];
+    }
+    return found == count;
 }
 
 bool Growth::can_take(std::span<const double> breaks) const {
@@ -164,15 +180,17 @@ bool Growth::can_take(std::span<const double> breaks) const {
     return rank_of(cells_of(knots, system_.order(), *samples_), functions) == functions;
 }
 
-int Growth::worst() const {
+std::vector<int> Growth::worst(int most) const {
     std::vector<int> order(pieces_.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
     std::stable_sort(order.begin(), order.end(),
                      [&](int a, int b) { return part_sum(a) > part_sum(b); });
+    std::vector<int> result;
     for (const int i : order) {
-        if (can_split(i)) return i;
+        if (static_cast<int>(result.size()) == most) break;
+        if (can_split(i)) result.push_back(i);
     }
-    return -1;
+    return result;
 }
 
 double Growth::split(int index) {
@@ -190,15 +208,16 @@ double Growth::split(int index) {
     triangles_.insert(triangles_.begin() + static_cast<std::ptrdiff_t>(i * size), size, 0.0);
     make_triangle(i);
     make_triangle(i + 1);
-    index_knots();
     const std::size_t block = system_.block_size();
     blocks_.insert(blocks_.begin() + static_cast<std::ptrdiff_t>(i * block), block, 0.0);
+    maps_.insert(maps_.begin() + static_cast<std::ptrdiff_t>(i * map_size()), map_size(), 0.0);
+    is_stale_.insert(is_stale_.begin() + index, 1);
     const std::size_t reach = static_cast<std::size_t>(system_.order());
-    if (ends() == Ends::closed) {
-        make_blocks(0, pieces_.size());
-    } else {
-        make_blocks(i > reach ? i - reach : 0, std::min(pieces_.size(), i + 2 + reach));
-    }
+    const bool is_open = ends() == Ends::open;
+    const std::size_t first = is_open && i > reach ? i - reach : 0;
+    const std::size_t last = is_open ? std::min(pieces_.size(), i + 2 + reach) : pieces_.size();
+    std::fill(is_stale_.begin() + static_cast<std::ptrdiff_t>(first),
+              is_stale_.begin() + static_cast<std::ptrdiff_t>(last), 1);
     return middle;
 }
 

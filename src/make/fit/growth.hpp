@@ -29,6 +29,7 @@ public:
     Ends ends() const { return system_.ends(); }
     const Samples& samples() const { return *samples_; }
     std::vector<double> breaks() const;
+    /// The full knot vector of the last refit.
     const std::vector<double>& knots() const { return knots_; }
 
     /// Solves for the present knots.
@@ -40,8 +41,9 @@ public:
     /// True residuals e = y - S of all samples, in data units, side 0, in rising x.
     void residuals(std::span<double> out) const;
 
-    /// The interval with the largest part sum that can be split, ties to the lowest; -1 if none.
-    int worst() const;
+    /// The intervals with the largest part sums that can be split, ties to the lowest: `most` at
+    /// most.
+    std::vector<int> worst(int most) const;
     /// Whether both halves would still determine the spline.
     bool can_split(int i) const;
     /// Whether the samples would determine a spline over these breaks.
@@ -57,9 +59,13 @@ private:
     };
     void index_knots();
     void make_triangle(std::size_t i);
-    void make_blocks(std::size_t first, std::size_t last);
+    void make_stale_blocks();
+    std::size_t map_size() const {
+        return static_cast<std::size_t>(system_.order() * system_.order());
+    }
     double* triangle(std::size_t i) { return triangles_.data() + i * reducer_->shape().size(); }
     std::vector<Cell> cells_with(int split) const;
+    bool has_distinct(Rows rows, std::size_t count) const;
 
     const Samples* samples_;
     const LocalBasis* basis_;
@@ -67,7 +73,8 @@ private:
     std::unique_ptr<ReductionTree> tree_;
     KnotSystem system_;
     std::vector<Piece> pieces_;
-    std::vector<double> triangles_, blocks_, knots_, part_sums_;
+    std::vector<double> triangles_, maps_, blocks_, knots_, part_sums_;
+    std::vector<char> is_stale_;  ///< pieces whose blocks are older than their knots
     std::vector<int> firsts_;
     double delta2_ = 0;
 };

@@ -7,10 +7,14 @@
 #include "batten/base/text.hpp"
 #include "make/fit/fixed_fit.hpp"
 #include "make/fit/free_choice.hpp"
+#include "make/fit/pruned_choice.hpp"
+#include "make/fit/shape_limits.hpp"
+#include "make/fit/tolerance_choice.hpp"
 
 namespace batten::fitting {
 namespace {
 
+constexpr int most_rounds = 4;
 constexpr std::size_t most_with_psi = 20000;
 
 [[noreturn]] void refuse(const char* option, std::string value, const char* rule) {
@@ -33,13 +37,21 @@ KnotChoice from_path(const Growth& growth, Path path) {
     return choice;
 }
 
+/// The knots given, without the ends of the range.
+std::vector<double> inner_knots(std::span<const double> values, Interval range) {
+    while (!values.empty() && values.front() == range.lo) values = values.subspan(1);
+    while (!values.empty() && values.back() == range.hi) values = values.first(values.size() - 1);
+    return {values.begin(), values.end()};
+}
+
 KnotChoice given_knots(const Samples& samples, const FitOptions& options) {
     const int order = options.degree + 1;
-    require_knot_values(options.knot_values, samples.range, options.degree);
+    const std::vector<double> inner = inner_knots(options.knots_values, samples.range);
+    require_inner_knots(inner, samples.range, options.degree);
     KnotChoice choice;
     if (options.closed) {
         std::vector<double> breaks{samples.range.lo};
-        breaks.insert(breaks.end(), options.knot_values.begin(), options.knot_values.end());
+        breaks.insert(breaks.end(), inner.begin(), inner.end());
         breaks.push_back(samples.range.hi);
         for (std::size_t i = 1; i < breaks.size(); ++i) {
             if (breaks[i] > breaks[i - 1]) continue;
@@ -49,8 +61,8 @@ KnotChoice given_knots(const Samples& samples, const FitOptions& options) {
         require_enough(samples.size(), breaks.size() - 1);
         choice.knots = closed_knots(breaks, order);
     } else {
-        require_enough(samples.size(), options.knot_values.size() + static_cast<std::size_t>(order));
-        choice.knots = open_knots(samples.range, options.knot_values, order);
+        require_enough(samples.size(), inner.size() + static_cast<std::size_t>(order));
+        choice.knots = open_knots(samples.range, inner, order);
     }
     return choice;
 }
@@ -102,24 +114,47 @@ std::vector<double> chosen_factors(const Samples& samples, const LocalBasis& bas
     return robust_factors(robust, samples, e);
 }
 
+/// The same for a choice over `weighted` samples, all samples judged by it.
+std::vector<double> factors_over(const Samples& samples, const Samples& weighted,
+                                 const LocalBasis& basis, const KnotChoice& choice,
+                                 Robust robust) {
+    std::vector<double> e(samples.size());
+    spline_of(solve_fixed(weighted, choice.knots, basis, Ends::open)).evaluate(samples.x, 0, e);
+    for (std::size_t i = 0; i < e.size(); ++i) e[i] = samples.sides[0][i] - e[i];
+    return robust_factors(robust, samples, e);
+}
+
 KnotChoice freed_knots(const Samples& samples, const LocalBasis& basis,
                        const FitOptions& options) {
     require_enough(samples.size(), static_cast<std::size_t>(basis.order()));
-    if (options.robust == Robust::none) return free_knots(samples, basis, options);
+    const auto chosen = [&](const Samples& used) {
+        return options.knots == KnotPlacement::pruned ? pruned_knots(used, basis, options)
+                                                      : free_knots(used, basis, options);
+    };
+    if (options.robust == Robust::none) return chosen(samples);
     // The outliers are those of the inserted knots; the last refit decides again.
     FitOptions insertion = options;
+    insertion.knots = KnotPlacement::automatic;
     insertion.stop = StopRule::bic;
     insertion.distribution.clear();
     insertion.intervals.reset();
-    const std::vector<double> factors =
+    std::vector<double> factors =
         chosen_factors(samples, basis, inserted_knots(samples, basis, insertion), options.robust);
-    const Samples weighted = reweighted(samples, factors);
-    return free_knots(weighted, basis, options);
+    KnotChoice choice = chosen(reweighted(samples, factors));
+    // Beside a jump inserted knots miss good samples too: those are asked back.
+    for (int round = 0; round < most_rounds && options.knots == KnotPlacement::pruned; ++round) {
+        std::vector<double> next =
+            factors_over(samples, reweighted(samples, factors), basis, choice, options.robust);
+        if (next == factors) break;
+        factors = std::move(next);
+        choice = chosen(reweighted(samples, factors));
+    }
+    return choice;
 }
 
 }  // namespace
 
-void require_knot_values(std::span<const double> values, Interval range, int degree) {
+void require_inner_knots(std::span<const double> values, Interval range, int degree) {
     for (std::size_t i = 0; i < values.size(); ++i) {
         const std::string place = "knot " + std::to_string(i + 1);
         if (!(values[i] > range.lo && values[i] < range.hi)) {
@@ -144,6 +179,7 @@ void require_enough(std::size_t samples, std::size_t functions) {
 }
 
 void require_options(const FitOptions& o) {
+    require_limits(o);
     if (o.degree < 0 || o.degree > 9) {
         throw Error("option.range", "degree", std::to_string(o.degree), "must be 0 to 9");
     }
@@ -151,18 +187,28 @@ void require_options(const FitOptions& o) {
         throw Error("fit.intervals", "intervals", std::to_string(*o.intervals),
                     "there must be at least one");
     }
-    if (!o.knot_values.empty() && o.knots != KnotPlacement::given) {
-        refuse("knot_values", std::string(name_of(o.knots)), "go with knots = given only");
+    const KnotPlacement placement = placement_of(o);
+    if (!o.knots_values.empty() && placement != KnotPlacement::given) {
+        refuse("knots_values", std::string(name_of(o.knots)), "go with given knots only");
     }
-    if (o.knots == KnotPlacement::given && o.intervals) {
+    if (placement == KnotPlacement::given && o.intervals) {
         refuse("intervals", std::to_string(*o.intervals), "do not go with given knots");
     }
     if (o.stop == StopRule::none && !o.intervals && !o.delta2 &&
-        o.knots != KnotPlacement::given) {
+        placement != KnotPlacement::given) {
         refuse("stop", "none", "needs the number of intervals");
     }
     if (o.stop != StopRule::distribution && !o.distribution.empty()) {
         refuse("distribution", std::string(name_of(o.stop)), "goes with stop = distribution only");
+    }
+    if (o.tolerance && !(o.tolerance->value > 0)) {
+        throw Error("option.range", "tolerance", format_number(o.tolerance->value),
+                    "must be above 0");
+    }
+    if (o.tolerance && (placement != KnotPlacement::automatic || o.intervals || o.delta2 ||
+                        o.robust != Robust::none)) {
+        refuse("tolerance", format_number(o.tolerance->value),
+               "chooses the knots itself, by all samples");
     }
     if (o.free_from && o.knots != KnotPlacement::free) {
         refuse("free_from", std::string(name_of(o.knots)), "goes with knots = free only");
@@ -170,8 +216,12 @@ void require_options(const FitOptions& o) {
     if (o.knots == KnotPlacement::free && o.degree == 0) {
         refuse("degree", "0", "free knots need degree 1 or more: a jump has no derivative");
     }
-    if (o.knots == KnotPlacement::free && o.closed) {
-        refuse("closed", "true", "free knots go with open splines only");
+    const bool are_moved = o.knots == KnotPlacement::free || o.knots == KnotPlacement::pruned;
+    if (are_moved && o.closed) {
+        refuse("closed", "true", "moved knots go with open splines only");
+    }
+    if (o.knots == KnotPlacement::pruned && (o.intervals || o.delta2)) {
+        refuse("knots", "pruned", "chooses the number of intervals itself");
     }
     for (const std::optional<double>& target : {o.delta2, o.free_from}) {
         if (!target || *target > 0) continue;
@@ -192,10 +242,15 @@ StopPlan stop_plan(const Samples& samples, const FitOptions& options) {
 
 KnotChoice choose_knots(const Samples& samples, const LocalBasis& basis,
                         const FitOptions& options) {
-    switch (options.knots) {
+    if (options.tolerance) {
+        require_enough(samples.size(), static_cast<std::size_t>(basis.order()));
+        return knots_within(samples, basis, options);
+    }
+    switch (placement_of(options)) {
         case KnotPlacement::given: return given_knots(samples, options);
         case KnotPlacement::equal: return equal_knots(samples, basis, options);
         case KnotPlacement::automatic: break;
+        case KnotPlacement::pruned:
         case KnotPlacement::free: return freed_knots(samples, basis, options);
     }
     return inserted_knots(samples, basis, options);

@@ -21,13 +21,19 @@ struct KnotChoice {
     bool is_converged = true;
 };
 
+/// Where the knots come from: those given count where nothing else is asked for.
+inline KnotPlacement placement_of(const FitOptions& options) {
+    const bool is_default = options.knots == KnotPlacement::automatic;
+    return is_default && !options.knots_values.empty() ? KnotPlacement::given : options.knots;
+}
+
 /// Throws what the contract of `fit` says about options; so that a pair that contradicts is never
 /// met half-way through.
 void require_options(const FitOptions& options);
 
 /// Interior knots as given: inside `range`, rising, repeated degree + 1 times at most.
 /// Throws `fit.knots`.
-void require_knot_values(std::span<const double> values, Interval range, int degree);
+void require_inner_knots(std::span<const double> values, Interval range, int degree);
 /// Throws `fit.too-few`.
 void require_enough(std::size_t samples, std::size_t functions);
 

@@ -50,9 +50,13 @@ void KnotSystem::to_chebyshev(std::span<const double> knots, std::size_t span, d
 
 void KnotSystem::make_block(std::span<const double> knots, std::size_t span,
                             const double* triangle, double* block) const {
-    const int k = shape_.order, width = shape_.width();
     double b[num::most_order * num::most_order];
     to_chebyshev(knots, span, b);
+    make_block_from(b, triangle, block);
+}
+
+void KnotSystem::make_block_from(const double* b, const double* triangle, double* block) const {
+    const int k = shape_.order, width = shape_.width();
     for (int i = 0; i < k; ++i) {
         double* const row = block + i * width;
         for (int j = 0; j < k; ++j) row[j] = 0;

@@ -34,6 +34,8 @@ public:
     /// coefficients of the span's functions to Chebyshev coefficients.
     void make_block(std::span<const double> knots, std::size_t span, const double* triangle,
                     double* block) const;
+    /// The same where B is there already.
+    void make_block_from(const double* b, const double* triangle, double* block) const;
     /// B itself (order x order).
     void to_chebyshev(std::span<const double> knots, std::size_t span, double* b) const;
 

@@ -125,6 +125,36 @@ BATTEN_KERNELS(5)
 BATTEN_KERNELS(6)
 #undef BATTEN_KERNELS
 
+BATTEN_CLONES void residuals_of(const SampleRun& run, LocalScale scale, int order,
+                                const double* p, double* out) {
+    const std::size_t whole = run.count / lanes * lanes;
+    for (std::size_t i = 0; i < whole; i += lanes) {
+        Lanes x, y;
+        load(run.x + i, x);
+        load(run.y + i, y);
+        const Lanes u = (x - scale.middle) * scale.scale;
+        const Lanes twice = u + u;
+        Lanes b1 = {}, b2 = {};
+        for (int j = order - 1; j > 0; --j) {
+            const Lanes b0 = p[j] + (twice * b1 - b2);
+            b2 = b1;
+            b1 = b0;
+        }
+        const Lanes e = y - (p[0] + (u * b1 - b2));
+        std::memcpy(out + i, &e, sizeof e);
+    }
+    for (std::size_t i = whole; i < run.count; ++i) {
+        const double u = (run.x[i] - scale.middle) * scale.scale;
+        double b1 = 0, b2 = 0;
+        for (int j = order - 1; j > 0; --j) {
+            const double b0 = p[j] + ((u + u) * b1 - b2);
+            b2 = b1;
+            b1 = b0;
+        }
+        out[i] = run.y[i] - (p[0] + (u * b1 - b2));
+    }
+}
+
 }  // namespace
 
 Moments chebyshev_moments(const SampleRun& run, LocalScale scale, int order) {
@@ -133,6 +163,10 @@ Moments chebyshev_moments(const SampleRun& run, LocalScale scale, int order) {
     Moments result;
     kernels[order - 1](run, scale, result);
     return result;
+}
+
+void residuals(const SampleRun& run, LocalScale scale, int order, const double* p, double* out) {
+    residuals_of(run, scale, order, p, out);
 }
 
 double squared_rest(const SampleRun& run, LocalScale scale, int order, const double* p) {

@@ -33,4 +33,7 @@ Moments chebyshev_moments(const SampleRun& run, LocalScale scale, int order);
 /// Sum of w^2 (y - p(u))^2, p given by its Chebyshev coefficients.
 double squared_rest(const SampleRun& run, LocalScale scale, int order, const double* p);
 
+/// y - p(u) of every sample, in data units; any order up to num::most_order.
+void residuals(const SampleRun& run, LocalScale scale, int order, const double* p, double* out);
+
 }  // namespace batten::fitting

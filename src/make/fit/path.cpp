@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "batten/shape/spline_function.hpp"
 
@@ -13,6 +14,7 @@ constexpr int least_reach = 45;   // intervals, see docs/fitting.md
 /// is too sure of the knots (76 to 96 %), Akaike's 2 sometimes too unsure (94 to 98 %).
 constexpr double charge = 2.25;
 constexpr double least_weight = 0.01;  // of the best alternative's: less is left out
+constexpr double far_from_target = 2;
 constexpr double tie = 1e-9;      // relative difference of two criteria that is none
 
 SplineFunction spline_of(const Growth& growth) {
@@ -54,9 +56,9 @@ public:
         const double misfit = robust_refit(growth_, samples_, robust_, weights_);
         const SigmaKnowledge knowledge =
             samples_.sigma_known ? SigmaKnowledge::known : SigmaKnowledge::unknown;
-        FitStep step = step_of(misfit, samples_.size(), growth_.functions(), growth_.intervals(),
+        FitStep step = step_of(misfit, samples_.values(), parameters(), growth_.intervals(),
                                knowledge);
-        if (plan_.wants_psi || plan_.rule == StopRule::distribution) {
+        if ((plan_.wants_psi && samples_.sides.size() == 1) || plan_.rule == StopRule::distribution) {
             const Psi psi = tally(samples_, residuals_of(growth_, samples_)).psi;
             step.psi.assign(psi.begin(), psi.end());
         }
@@ -68,11 +70,16 @@ public:
     Path finish() {
         choose();
         const bool is_chosen_freely = plan_.exactly == 0 && plan_.delta2 == 0;
-        if (is_chosen_freely && is_criterion(plan_.rule)) weigh_alternatives();
+        const bool has_bands = samples_.sides.size() == 1;
+        if (has_bands && is_chosen_freely && is_criterion(plan_.rule)) weigh_alternatives();
         return std::move(path_);
     }
 
 private:
+    int parameters() const {
+        return growth_.functions() * static_cast<int>(samples_.sides.size());
+    }
+
     bool wants_more(const FitStep& step) {
         if (plan_.exactly > 0) {
             is_met_ = step.intervals == plan_.exactly;
@@ -87,7 +94,7 @@ private:
 
     bool is_within_chi2(const FitStep& step) const {
         const double degrees =
-            static_cast<double>(samples_.size()) - static_cast<double>(growth_.functions());
+            static_cast<double>(samples_.values()) - static_cast<double>(parameters());
         return degrees > 0 && step.delta2 <= chi2_quantile(0.05, degrees);
     }
 
@@ -215,9 +222,15 @@ Path insert_one_by_one(Growth& growth, const Samples& samples, Robust robust,
                        const StopPlan& plan) {
     Search search(growth, samples, robust, plan);
     while (search.step_wants_more()) {
-        const int worst = growth.worst();
-        if (worst < 0) break;
-        growth.split(worst);
+        // Far from a target for delta2 many knots at a time; the last ones one by one.
+        const bool is_far = plan.delta2 > 0 && growth.delta2() > far_from_target * plan.delta2;
+        std::vector<int> worst = growth.worst(is_far ? 1 + growth.intervals() / 4 : 1);
+        if (worst.empty()) break;
+        // From the right, so that no index moves; a split may take what another one needs.
+        std::sort(worst.begin(), worst.end(), std::greater<>());
+        for (const int i : worst) {
+            if (worst.size() == 1 || growth.can_split(i)) growth.split(i);
+        }
     }
     return search.finish();
 }

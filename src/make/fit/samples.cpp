@@ -11,8 +11,8 @@
 namespace batten::fitting {
 namespace {
 
-void require_finite(std::span<const double> column, const char* name) {
-    // A sum meets every NaN and Inf at the speed of reading; the search runs only if it did.
+/// 0, or NaN where there is a NaN or an Inf: at the speed of reading.
+double trace_of_trouble(std::span<const double> column) {
     double lanes[8] = {};
     const std::size_t whole = column.size() / 8 * 8;
     for (std::size_t i = 0; i < whole; i += 8) {
@@ -21,11 +21,14 @@ void require_finite(std::span<const double> column, const char* name) {
     double sum = 0;
     for (const double lane : lanes) sum += lane;
     for (std::size_t i = whole; i < column.size(); ++i) sum += column[i] * 0.0;
-    if (sum == 0) return;
+    return sum;
+}
+
+void require_finite(std::span<const double> column, const char* name) {
     for (std::size_t i = 0; i < column.size(); ++i) {
         if (std::isfinite(column[i])) continue;
         throw Error("points.not-finite", "row " + std::to_string(i) + ", column " + name,
-                    format_number(column[i]), "coordinates must be finite");
+                    format_number(column[i]), "coordinates must be finite", {i});
     }
 }
 
@@ -33,7 +36,7 @@ void require_sigma(std::span<const double> sigma) {
     for (std::size_t i = 0; i < sigma.size(); ++i) {
         if (sigma[i] > 0) continue;
         throw Error("fit.sigma", "row " + std::to_string(i) + ", column sigma",
-                    format_number(sigma[i]), "errors must be above 0 (inf: no weight)");
+                    format_number(sigma[i]), "errors must be above 0 (inf: no weight)", {i});
     }
 }
 
@@ -47,7 +50,7 @@ std::vector<double> sigma_by_model(std::span<const double> y, std::span<const do
         const double variance = model[0] * y[i] + model[1];
         if (!(variance > 0) || !std::isfinite(variance)) {
             throw Error("fit.sigma-model", "row " + std::to_string(i), format_number(variance),
-                        "A y + B must be above 0 for every y");
+                        "A y + B must be above 0 for every y", {i});
         }
         sigma[i] = std::sqrt(variance);
     }
@@ -84,11 +87,26 @@ void sort_and_drop(Samples& samples) {
     samples.row_of = std::move(order);
 }
 
-bool needs_copy(const Samples& samples) {
-    const std::span<const double> x = samples.x;
+/// Checks x and y, block by block, so that both come from memory once. Whether x falls somewhere.
+bool check_and_find_falls(std::span<const double> x, std::span<const double> y) {
+    constexpr std::size_t block = 1024;
+    double trouble = 0;
     bool falls = false;
-    for (std::size_t i = 1; i < x.size(); ++i) falls |= x[i] < x[i - 1];
-    if (falls) return true;
+    for (std::size_t first = 0; first < x.size(); first += block) {
+        const std::size_t count = std::min(block, x.size() - first);
+        trouble += trace_of_trouble(x.subspan(first, count));
+        trouble += trace_of_trouble(y.subspan(first, count));
+        const std::size_t from = std::max<std::size_t>(first, 1);
+        for (std::size_t i = from; i < first + count; ++i) falls |= x[i] < x[i - 1];
+    }
+    if (trouble != 0) {
+        require_finite(x, "x");
+        require_finite(y, "y");
+    }
+    return falls;
+}
+
+bool has_weightless(const Samples& samples) {
     bool weightless = false;
     for (const double s : samples.sigma) weightless |= std::isinf(s);
     return weightless;
@@ -137,15 +155,13 @@ Samples prepared(const FitSamples& given, const FitOptions& options) {
                         std::to_string(given.sigma.size()),
                     "x, y and sigma must be equally many");
     }
-    require_finite(given.x, "x");
-    require_finite(given.y, "y");
+    const bool falls = check_and_find_falls(given.x, given.y);
     Samples samples;
     samples.x = given.x;
     samples.sides = {given.y};
     choose_sigma(samples, given, options);
     if (given.x.empty()) throw Error("fit.too-few", "samples", "0", "there must be samples");
-    const bool copy = needs_copy(samples);
-    if (copy) {
+    if (falls || has_weightless(samples)) {
         const auto [lo, hi] = std::minmax_element(given.x.begin(), given.x.end());
         samples.range = {*lo, *hi};
         sort_and_drop(samples);

@@ -34,6 +34,8 @@ struct Samples {
     std::vector<std::vector<double>> owned;
 
     std::size_t size() const { return x.size(); }
+    /// Ordinates in all: what counts as N.
+    std::size_t values() const { return x.size() * sides.size(); }
     double sigma_at(std::size_t i) const { return sigma.empty() ? common_sigma : sigma[i]; }
     std::size_t row(std::size_t i) const { return row_of.empty() ? i : row_of[i]; }
 

@@ -1,8 +1,6 @@
 #include "make/fit/tally.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "make/fit/lanes.hpp"
 
@@ -16,7 +14,7 @@ struct Sums {
     Lanes delta2 = {};
     Lanes largest = {};
     LaneMask within[3] = {};
-    std::array<std::size_t, psi_count> beyond{};  ///< |e| > i sigma, i > 3
+    LaneMask beyond[psi_count] = {};  ///< |e| > i sigma, i > 3
     std::size_t sign_changes = 0, positive = 0;
     bool was_positive = false, any = false;
 };
@@ -32,6 +30,17 @@ BATTEN_CLONES void add_lanes(const double* e, const double* sigma, std::size_t c
         sums.delta2 += q * q;
         sums.largest = size > sums.largest ? size : sums.largest;
         for (int w = 0; w < 3; ++w) sums.within[w] -= size <= (w + 1.0) * s;
+    }
+}
+
+BATTEN_CLONES void add_beyond(const double* e, const double* sigma, std::size_t count,
+                              LaneMask* beyond) {
+    for (std::size_t i = 0; i < count; i += lanes) {
+        Lanes r, s;
+        load(e + i, r);
+        load(sigma + i, s);
+        const Lanes size = r < 0 ? -r : r;
+        for (int w = 3; w < psi_count; ++w) beyond[w] -= size > (w + 1.0) * s;
     }
 }
 
@@ -66,7 +75,7 @@ public:
         const long long before = sum_of(sums_.within[2]);
         add_lanes(e, sigma, whole, sums_);
         if (sum_of(sums_.within[2]) - before < static_cast<long long>(whole)) {
-            add_large(e, sigma, count);
+            add_beyond(e, sigma, whole, sums_.beyond);
         }
         padded_ += whole - count;
         sums_.positive += count_positive(e, count);
@@ -86,7 +95,7 @@ public:
             const double within =
                 w < 3 ? static_cast<double>(sum_of(sums_.within[w]) -
                                             static_cast<long long>(padded_))
-                      : n - static_cast<double>(sums_.beyond[w]);
+                      : n - static_cast<double>(sum_of(sums_.beyond[w]));
             t.psi[w] = within / n;
         }
         t.positive = sums_.positive;
@@ -95,15 +104,6 @@ public:
     }
 
 private:
-    void add_large(const double* e, const double* sigma, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) {
-            const double size = std::fabs(e[i]);
-            for (int w = 4; w <= psi_count && size > w * sigma[i]; ++w) {
-                ++sums_.beyond[static_cast<std::size_t>(w - 1)];
-            }
-        }
-    }
-
     Sums sums_;
     std::size_t count_ = 0, padded_ = 0;
 };

@@ -11,7 +11,7 @@ namespace batten::fitting {
 /// rounding), so what a spline needs to know of any interval costs O(leaf_rows + log N).
 class ReductionTree {
 public:
-    static constexpr std::size_t leaf_rows = 128;
+    static constexpr std::size_t leaf_rows = 512;
 
     struct Node {
         Interval span;

@@ -10,6 +10,7 @@
 #include "batten/shape/arc_chain.hpp"
 #include "make/interpolate/function.hpp"
 #include "make/interpolate/hermite.hpp"
+#include "make/interpolate/log_aesthetic.hpp"
 #include "make/interpolate/pseudo_spline.hpp"
 #include "make/interpolate/spline.hpp"
 #include "make/interpolate/windows_and_arcs.hpp"
@@ -53,7 +54,8 @@ PiecewiseCubic spline_with(const Outline& outline, std::vector<double> parameter
 
 PiecewiseCubic spline_as(const Outline& outline, const InterpolateOptions& options) {
     if (options.parameter_values.empty()) {
-        return spline_with(outline, parameters_by(options.parameter, outline.chords), options.ends);
+        const Parameter rule = options.parameter.value_or(Parameter::chord);
+        return spline_with(outline, parameters_by(rule, outline.chords), options.ends);
     }
     require_parameters(options.parameter_values, outline.chords.lengths.size() + 1);
     return spline_with(outline, options.parameter_values, options.ends);
@@ -130,6 +132,8 @@ Built built(const Request& request, const InterpolateOptions& options) {
             return lagrange_windows(outline, options, 3);
         case Method::arc_chain:
             return joined_arcs(outline);
+        case Method::log_aesthetic:
+            return log_aesthetic(outline, options.alpha);
     }
     throw Error("option.range", "method", std::to_string(static_cast<int>(options.method)),
                 "must be one of the methods");

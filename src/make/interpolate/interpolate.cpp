@@ -3,14 +3,18 @@
 #include <utility>
 
 #include "make/interpolate/build.hpp"
+#include "make/interpolate/log_aesthetic.hpp"
 #include "make/interpolate/report.hpp"
 
 namespace batten {
 namespace {
 
 Curve part_of(Curve curve, const InterpolateOptions& options) {
-    if (options.part) return interpolation::between_joints(curve, *options.part);
-    return curve;
+    if (!options.part) return curve;
+    if (const auto* arcs = curve.shape<LogAestheticCurve>()) {
+        return interpolation::between_joints(*arcs, *options.part);
+    }
+    return interpolation::between_joints(curve, *options.part);
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ Abilities abilities_of(Method method) {
             able.most_dimension = 3;
             break;
         case Method::pseudo_spline_global:
+        case Method::log_aesthetic:
             able.most_dimension = 2;
             break;
         case Method::hermite_chord:
@@ -80,6 +81,9 @@ void require_abilities(const InterpolateOptions& options) {
         throw Error("option.range", "weight_exponent", format_number(options.weight_exponent),
                     "must be -8 to 8");
     }
+    if (!(std::fabs(options.alpha) <= most_alpha)) {
+        throw Error("option.range", "alpha", format_number(options.alpha), "must be -20 to 20");
+    }
 }
 
 /// A point of the curve, from 0, or the error `code`.
@@ -108,8 +112,8 @@ void take_tangents(Outline& outline, const InterpolateOptions& options) {
         if (!takes_tangent(options, at, count)) {
             throw Error("interpolate.tangent-not-taken", place,
                         std::string(name_of(options.method)),
-                        "takes no tangent there: pseudo-spline and hermite methods do, clamped "
-                        "open splines at their ends and an arc-chain at its start");
+                        "takes no tangent there: pseudo-spline, hermite and log-aesthetic methods do, "
+                        "clamped open splines at their ends and an arc-chain at its start");
         }
         if (outline.points.dim() != 2) {
             throw Error("interpolate.tangent-not-taken", place,

@@ -14,6 +14,15 @@ namespace {
 
 constexpr double rounding = 1e-9;  ///< radians: no jump that anybody can see
 
+LagrangeParameter window_parameter(Parameter parameter) {
+    switch (parameter) {
+        case Parameter::uniform: return LagrangeParameter::index;
+        case Parameter::chord: return LagrangeParameter::chord;
+        case Parameter::centripetal: return LagrangeParameter::centripetal;
+    }
+    return LagrangeParameter::index;
+}
+
 }  // namespace
 
 Built lagrange_windows(const Outline& outline, const InterpolateOptions& options, int degree) {
@@ -22,6 +31,7 @@ Built lagrange_windows(const Outline& outline, const InterpolateOptions& options
     windows.degree = std::min(degree, most);
     windows.between = 0;
     windows.closed = outline.closed;
+    windows.parameter = window_parameter(options.parameter.value_or(Parameter::uniform));
     windows.parameter_values = options.parameter_values;
     const Densified made = densify(outline.points, windows);
     Built built{made.curve, Status::met, {}};

@@ -118,14 +118,14 @@ MotionLaw law_of(std::shared_ptr<const arc::Cells> cells, const Curve& curve,
     const double total = cells->length();
     if (!(total > 0)) refuse_no_weight("some part of the curve must have a weight");
     const auto share_at = [cells, map](double sum) {
-        return map.s_of(cells->t_in(cells->cell_at_s(sum), sum)) / map.length();
+        return map.s_of(cells->t_at(sum)) / map.length();
     };
     const double even = total / curve.domain().length();
     return MotionLaw([=](double tau) -> MotionState {
         // Where no time is spent the speed is infinite: there, the mean over a short time.
         constexpr double least = 0x1p-20, step = 0x1p-10;
         const double sum = tau * total, share = tau >= 1 ? 1 : share_at(sum);
-        const double t = cells->t_in(cells->cell_at_s(sum), sum), here = rate(t);
+        const double t = cells->t_at(sum), here = rate(t);
         if (here > least * even) {
             return {share, speed_at(curve.jet(t, 1)) * total / (here * map.length())};
         }

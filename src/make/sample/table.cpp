@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "batten/base/error.hpp"
 #include "batten/measure/curvature.hpp"
@@ -47,6 +48,16 @@ std::vector<double> cross(std::span<const double> a, std::span<const double> b) 
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+void require_finite_cells(const Sampling& made) {
+    for (std::size_t i = 0; i < made.rows.size(); ++i) {
+        for (std::size_t k = 0; k < made.names.size(); ++k) {
+            if (std::isfinite(made.rows[i][k])) continue;
+            throw Error("number.overflow", "sample " + std::to_string(i) + ", " + made.names[k],
+                        "beyond a double", "scale the curve nearer to 1");
+        }
+    }
+}
+
 }  // namespace
 
 Sampling table_of(const Curve& curve, const Places& places, const SampleOptions& options) {
@@ -80,6 +91,7 @@ Sampling table_of(const Curve& curve, const Places& places, const SampleOptions&
             put(cross(tangent, normals[i]));
         }
     }
+    require_finite_cells(result);
     if (!exists) {
         result.report.notes.push_back(
             "where the curve stands still, kappa is that just beside the place");

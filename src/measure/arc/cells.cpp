@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "batten/base/error.hpp"
+#include "measure/arc/runs.hpp"
 #include "measure/arc/series.hpp"
 #include "num/gauss.hpp"
 #include "num/sum.hpp"
@@ -14,6 +15,8 @@ namespace {
 
 /// Below this share of a piece's polygon an error is rounding.
 constexpr double rounding = 0x1p-50;
+/// Nobody needs to be told less of a piece.
+constexpr double loosest = 0x1p-10;
 /// What a piece may be wrong by is shared by its cells, of which there are fewer than this but
 /// towards a cusp, where most of them have errors far below.
 constexpr double cells_expected = 8;
@@ -124,6 +127,17 @@ Cells::Cells(std::span<const double> joints, const Rate& rate, double tolerance)
     take(std::move(built), joints.front(), [](double s) { return s; });
 }
 
+Cells::Cells(const Rate& rate, Interval t, const Share& share) {
+    const double wrong = std::fmin(share.tolerance, loosest) * share.length;
+    const double least = std::fmax(rounding * share.length, share.nothing);
+    Built built(1);
+    built.tries = most_tries;
+    built.add(rate, {0, 1},
+              {std::fmax(wrong / cells_expected, least), std::fmax(wrong / 4, least)},
+              [&](double w) { return w == 1 ? t.hi : t.lo + w * t.length(); });
+    take(std::move(built), t.lo, [](double s) { return s; });
+}
+
 Cells::Cells(const Curve& curve, Tolerance tolerance) {
     bezier::require_tolerance(tolerance);
     const bezier::Pieces pieces(curve);
@@ -145,7 +159,7 @@ Cells::Cells(const Curve& curve, Tolerance tolerance) {
     const double wanted =
         tolerance.is_relative ? tolerance.value : pieces.in_normal(tolerance) / polygon;
     // A polygon is longer than its curve, by little: once is mostly enough.
-    for (double share = std::fmin(wanted, 0x1p-10);; share /= 8) {
+    for (double share = std::fmin(wanted, loosest);; share /= 8) {
         Built built(pieces.size());
         std::size_t next = 0;
         for (const bezier::Stretch& stretch : stretches) {
@@ -183,22 +197,18 @@ void Cells::take(Built built, double start, InData in_data) {
     error_ = in_data(built.error.value() + rounding * s.value());
 }
 
-std::size_t Cells::cell_at_s(double s) const {
-    const auto inner_end = s_.end() - 1;
-    return static_cast<std::size_t>(std::upper_bound(s_.begin() + 1, inner_end, s) -
-                                    (s_.begin() + 1));
-}
+std::size_t Cells::cell_at_t(double t) const { return interval_of(t_, t); }
 
-std::size_t Cells::cell_at_t(double t) const {
-    const auto inner_end = t_.end() - 1;
-    return static_cast<std::size_t>(std::upper_bound(t_.begin() + 1, inner_end, t) -
-                                    (t_.begin() + 1));
-}
-
-double Cells::t_in(std::size_t cell, double s) const {
+double Cells::t_at(double s) const {
     double t;
-    t_in(cell, {&s, 1}, {&t, 1});
+    t_at({&s, 1}, {&t, 1});
     return t;
+}
+
+void Cells::t_at(std::span<const double> s, std::span<double> t) const {
+    for_runs(s_, s, [&](std::size_t cell, std::size_t first, std::size_t count) {
+        t_in(cell, s.subspan(first, count), t.subspan(first, count));
+    });
 }
 
 double Cells::s_in(std::size_t cell, double t) const {

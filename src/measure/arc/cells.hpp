@@ -22,6 +22,15 @@ public:
     /// the whole. Towards places where it is not smooth the cells are halved.
     Cells(std::span<const double> joints, const Rate& rate, double tolerance);
 
+    /// What a single smooth piece may be wrong by.
+    struct Share {
+        double tolerance = 0;  ///< of its length
+        double length = 0;     ///< about
+        double nothing = 0;    ///< an error that is none
+    };
+    /// The same over w in [0, 1] of one piece, w running evenly over `t`.
+    Cells(const Rate& rate, Interval t, const Share& share);
+
     double length() const { return s_.back(); }
     double error() const { return error_; }
     std::size_t size() const { return t_.size() - 1; }
@@ -29,20 +38,20 @@ public:
     Interval s(std::size_t cell) const { return {s_[cell], s_[cell + 1]}; }
     std::span<const double> joints() const { return t_; }
 
-    /// The cell that holds s, or t; of two that meet there the second.
-    std::size_t cell_at_s(double s) const;
+    /// The cell that holds t; of two that meet there the second.
     std::size_t cell_at_t(double t) const;
-    /// The parameter at an arc length of this cell; exact at both of its ends.
-    double t_in(std::size_t cell, double s) const;
+    /// The arc length at a parameter of this cell; exact at both of its ends.
     double s_in(std::size_t cell, double t) const;
-    /// The same for many at once, to the same bits.
-    void t_in(std::size_t cell, std::span<const double> s, std::span<double> t) const;
+    double t_at(double s) const;
+    /// The parameters at many arc lengths, each in [0, length()]; the same bits as one by one.
+    void t_at(std::span<const double> s, std::span<double> t) const;
 
 private:
     struct Sum {
         std::uint32_t start = 0, terms = 0;
     };
     struct Built;
+    void t_in(std::size_t cell, std::span<const double> s, std::span<double> t) const;
     template <class InData>
     void take(Built built, double start, InData in_data);
     std::span<const double> terms_of(Sum sum) const {

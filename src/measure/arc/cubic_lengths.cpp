@@ -14,7 +14,7 @@ namespace {
 constexpr int most_halvings = 40;
 constexpr double rounding = 0x1p-50;
 /// Of two, for the longest move: lengths in its units are then in range in data units too.
-constexpr int most_exponent = 200;
+constexpr int most_exponent = 400;
 
 /// Where a panel belongs, and how often it was halved.
 struct Owner {

@@ -13,7 +13,7 @@ namespace batten::arc {
 struct CubicLengths {
     std::vector<Measured> pieces;
     /// Those that were left out, rising: with cusps, at rest at an end, a single point; or all,
-    /// where the curve is beyond 2^+-200 in size, or not in the plane or in space.
+    /// where the curve is beyond 2^+-400 in size, or not in the plane or in space.
     std::vector<std::size_t> left_out;
 };
 

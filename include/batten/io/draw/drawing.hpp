@@ -26,7 +26,7 @@ struct Panel {
     PanelKind kind = PanelKind::geometry;
     std::string x_label;
     std::string y_label;
-    AxisScale x_scale = AxisScale::linear;  ///< log10: charts only; of points, polylines and texts
+    AxisScale x_scale = AxisScale::linear;  ///< log10: charts only, not for curves and arrows
     AxisScale y_scale = AxisScale::linear;
     /// The part to show (in the plane); what lies outside is cut off. Without it everything is
     /// shown.
@@ -80,5 +80,9 @@ std::string svg(const Drawing& drawing);
 /// `drawing.not-finite`, `number.overflow`.
 /// Source: Gauss-Legendre, 8 nodes between samples [DLMF, 3.5(v)].
 Panel curvature_plot(const Curve& curve, const std::string& name = {});
+
+/// A chart of the logarithmic curvature graph of a curve, with its least-squares line; the caption
+/// gives the slope and its standard error. Throws `curve.dimension`.
+Panel curvature_graph_plot(const Curve& curve, const std::string& name = {});
 
 }  // namespace batten

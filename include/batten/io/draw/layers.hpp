@@ -55,6 +55,13 @@ struct PointsLayer {
     Tone tone = Tone::ink;
 };
 
+/// Closed outlines, filled in a pale tone.
+struct RegionsLayer {
+    std::vector<Points> outlines;
+    std::string name = {};
+    Tone tone = Tone::blue;
+};
+
 /// The Bezier control polygon of each piece. Throws `drawing.no-control-points` where the curve is
 /// not made of polynomials of degree 3 or less.
 struct ControlPolygonLayer {
@@ -102,7 +109,7 @@ struct TextLayer {
     Tone tone = Tone::ink;
 };
 
-using Layer = std::variant<CurveLayer, PolylineLayer, PointsLayer, ControlPolygonLayer, CombLayer,
-                           ArrowsLayer, TicksLayer, TextLayer>;
+using Layer = std::variant<CurveLayer, PolylineLayer, PointsLayer, RegionsLayer,
+                           ControlPolygonLayer, CombLayer, ArrowsLayer, TicksLayer, TextLayer>;
 
 }  // namespace batten

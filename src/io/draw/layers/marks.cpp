@@ -24,6 +24,7 @@ Paint dot_paint(Marker marker, Tone tone, double radius) {
     return {color_of(tone), std::min(1.3, 0.45 * radius), paper_color};
 }
 
+Paint region_paint(Tone tone) { return {{}, 1, color_of(tone), {}, 0.2}; }
 Paint tooth_paint(Tone tone) { return {color_of(tone), 0.7, {}, {}, 0.5}; }
 Paint envelope_paint(Tone tone) { return {color_of(tone), 1.1}; }
 Paint leg_paint(Tone tone) { return {color_of(tone), 0.8}; }

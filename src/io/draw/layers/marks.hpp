@@ -10,6 +10,7 @@ namespace batten::drawing {
 
 Paint line_paint(const LineStyle& style, Tone tone);
 Paint dot_paint(Marker marker, Tone tone, double radius);
+Paint region_paint(Tone tone);
 Paint tooth_paint(Tone tone);
 Paint envelope_paint(Tone tone);
 Paint leg_paint(Tone tone);     ///< of a control polygon

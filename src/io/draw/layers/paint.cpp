@@ -46,6 +46,17 @@ struct Painter {
         if (layer.labels == PointLabels::index) labels.number(scene, centres, radius);
     }
 
+    void operator()(const RegionsLayer& layer) {
+        Path path;
+        for (const Points& outline : layer.outlines) {
+            const Path ring = path_of(std::vector<Points>{outline}, frame);
+            path.verbs += ring.verbs;
+            path.pixels.insert(path.pixels.end(), ring.pixels.begin(), ring.pixels.end());
+            path.close();
+        }
+        stroke(path, region_paint(ready.tone));
+    }
+
     void operator()(const ControlPolygonLayer&) {
         Path legs, squares;
         const std::vector<Pixel> controls = pixels_of(ready.trace.beziers, frame);

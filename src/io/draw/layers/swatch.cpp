@@ -34,6 +34,13 @@ struct Swatch {
     void operator()(const PointsLayer& layer) {
         scene.add(DotsShape{{at(0.5, 0)}, 3, dot_paint(layer.marker, tone, 3)});
     }
+    void operator()(const RegionsLayer&) {
+        Path patch;
+        patch.move_to(at(0, -5));
+        for (const Pixel corner : {at(1, -5), at(1, 5), at(0, 5)}) patch.line_to(corner);
+        patch.close();
+        scene.add(PathShape{patch, region_paint(tone)});
+    }
     void operator()(const ControlPolygonLayer&) {
         line(leg_paint(tone));
         Path squares;

@@ -1,0 +1,21 @@
+# `make package`: what `cmake --install` leaves as a .tar.gz and a .deb (CPack).
+set(CPACK_GENERATOR TGZ DEB)
+set(CPACK_PACKAGE_NAME batten)
+set(CPACK_PACKAGE_CONTACT "The Batten authors <batten@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
+set(CPACK_PACKAGE_DESCRIPTION
+    "Points that were measured, digitised or clicked become curves that look right.
+ A command and a C++20 library that read, make, measure, draw and export them.")
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/package)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION math)
+find_program(BATTEN_SHLIBDEPS dpkg-shlibdeps)
+mark_as_advanced(BATTEN_SHLIBDEPS)
+if(BATTEN_SHLIBDEPS)
+    set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+else()
+    set(CPACK_DEBIAN_PACKAGE_DEPENDS "libc6, libstdc++6")
+endif()
+include(CPack)

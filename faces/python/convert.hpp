@@ -1,0 +1,50 @@
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "batten/api/operation.hpp"
+
+/// Between Python's objects and what the operations take and make.
+namespace batten::python {
+
+namespace py = pybind11;
+
+/// Numbers as NumPy holds them; arrays of float64 in C order are read where they are.
+using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// What an operation made; what Python calls an `Outcome`.
+struct Made {
+    const Operation* operation;
+    Outcome outcome;
+};
+
+/// What Python calls a `Surface`: a class of its own, since pybind11 takes variants apart.
+struct HeldSurface {
+    Surface surface;
+};
+
+/// Inputs, and the arrays whose memory they borrow.
+struct Inputs {
+    std::vector<Input> inputs;
+    std::vector<Array> owners;
+};
+
+/// Adds a curve, an outcome, an array of rows or a map of columns. Throws `input.kind`,
+/// `points.dimension`.
+void add_input(Inputs& all, const Operation& operation, py::handle object, const std::string& name);
+
+/// What a keyword's value means for an option. Throws `option.value`.
+Argument argument_from(const Field& field, py::handle object);
+
+/// A tree as dictionaries, lists, numbers, texts, True, False and None.
+py::object object_of(const Value& value);
+
+/// An array over the caller's memory, which `owner` keeps alive; not writeable.
+py::array_t<double> view_of(PointsView points, py::handle owner);
+
+}  // namespace batten::python

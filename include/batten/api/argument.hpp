@@ -1,0 +1,30 @@
+#pragma once
+
+#include "batten/api/operation.hpp"
+#include "batten/base/value.hpp"
+
+namespace batten {
+
+/// What a tree, such as a job's entry or a value of Python's, means for an option: a truth, a
+/// number or a text as it would be typed; lists of numbers as they are; rows of numbers as points,
+/// and a `batten.curve/1` tree as a curve, where the option takes these.
+///
+/// Throws `option.value` where the option takes nothing of this kind, and for rows and curves what
+/// parse_table and curve_of throw. The value itself is checked by the operation.
+Argument argument_of(const Field& field, const Value& value);
+
+/// Rows of numbers, or a `batten.curve/1` tree, as an input of the operation, called `name`. The
+/// coordinates are the columns that `picks` names (coordinate_columns); an operation on tables
+/// finds its columns itself where nothing is picked. Throws what the readers of files throw.
+Input input_of(const Value& value, const std::string& name, const Operation& operation,
+               const std::string& picks = {});
+
+/// A table as an input of the operation, in the same way.
+Input input_of(Table table, const Operation& operation, const std::string& picks = {});
+
+/// What an operation made, as the input of another. Throws `job.input` where it made neither a
+/// curve nor rows, and what coordinate_columns throws.
+Input input_of(const Output& output, const std::string& name, const Operation& operation,
+               const std::string& picks = {});
+
+}  // namespace batten

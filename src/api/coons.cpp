@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <numbers>
+#include <optional>
+
+#include "api/row.hpp"
+#include "batten/base/error.hpp"
+#include "batten/measure/surface.hpp"
+
+namespace batten::api {
+namespace {
+
+struct CoonsOptions {
+    bool zebra = false;
+    std::vector<double> eye;
+    std::vector<double> axis{0, 0, 1};
+    int stripes = 12;
+    int count = 33;
+};
+
+template <class Options, class Visit>
+requires std::same_as<std::remove_const_t<Options>, CoonsOptions>
+void visit_fields(Options& o, Visit&& visit) {
+    visit("zebra", o.zebra, anything, "draw what tubes of light around the axis look like, mirrored");
+    visit("eye", o.eye, anything, "X,Y,Z: where the eye is; without it far in front, above");
+    visit("axis", o.axis, anything, "X,Y,Z: the direction of the axis of the tubes");
+    visit("stripes", o.stripes, between(1, 1000), "dark stripes around the axis");
+    visit("count", o.count, between(2, 1000), "points along each side of what is written");
+}
+
+struct CurvatureRange {
+    double min = 0;
+    double max = 0;
+};
+
+template <class Report, class Visit>
+requires std::same_as<std::remove_const_t<Report>, CurvatureRange>
+void visit_fields(Report& r, Visit&& visit) {
+    visit("min", r.min, "least");
+    visit("max", r.max, "largest");
+}
+
+struct CoonsReport {
+    CurvatureRange gaussian_curvature;
+};
+
+template <class Report, class Visit>
+requires std::same_as<std::remove_const_t<Report>, CoonsReport>
+void visit_fields(Report& r, Visit&& visit) {
+    visit("gaussian_curvature", r.gaussian_curvature, "least and largest Gaussian curvature");
+}
+
+CoonsPatch patch_of(std::span<const Input> inputs) {
+    std::vector<Curve> edges;
+    for (const Input& input : inputs) {
+        const Curve* curve = std::get_if<Curve>(&input.content);
+        if (!curve) throw Error("input.kind", input.name, "points", "this operation takes curves");
+        edges.push_back(*curve);
+    }
+    if (edges.size() != 4) {
+        throw Error("input.count", "input", std::to_string(edges.size()),
+                    "a patch has four edges: two along u at v = 0 and 1, two along v");
+    }
+    return {edges[0], edges[1], edges[2], edges[3]};
+}
+
+std::array<double, 3> triple(const std::vector<double>& numbers, const char* name) {
+    if (numbers.size() == 3) return {numbers[0], numbers[1], numbers[2]};
+    throw Error("option.value", name, std::to_string(numbers.size()) + " numbers",
+                "must be three numbers X,Y,Z");
+}
+
+Rows samples(const CoonsPatch& patch, int count) {
+    Rows rows{{"u", "v", "x", "y", "z", "gaussian", "mean"}, Points(0, 7)};
+    for (int i = 0; i < count; ++i) {
+        for (int j = 0; j < count; ++j) {
+            const double u = double(i) / (count - 1), v = double(j) / (count - 1);
+            const SurfaceJet jet = patch.jet(u, v);
+            const SurfaceBend bend = surface_bend(jet).value_or(SurfaceBend{});
+            rows.cells.push_back(std::array{u, v, jet.point[0], jet.point[1], jet.point[2],
+                                            bend.gaussian, bend.mean});
+        }
+    }
+    return rows;
+}
+
+/// A line of the surface at one v, from u = 0 to 1; with a view only where it is dark.
+std::vector<Points> runs_along(const CoonsPatch& patch, double v,
+                               const std::optional<ZebraView>& view) {
+    constexpr int steps = 600;
+    std::vector<Points> runs;
+    bool is_drawing = false;
+    for (int i = 0; i <= steps; ++i) {
+        const SurfaceJet jet = patch.jet(double(i) / steps, v);
+        const std::optional<double> angle = view ? zebra_angle(jet, *view) : 0.0;
+        const bool draws = angle && (!view || is_dark(*angle, view->stripes));
+        if (draws && !is_drawing) runs.emplace_back(0, 3);
+        // Ends exactly, and so many between that no bend of a sensible patch is lost.
+        const bool ends = draws != is_drawing || i == steps;
+        if ((draws || is_drawing) && (ends || i % 12 == 0)) runs.back().push_back(jet.point);
+        is_drawing = draws;
+    }
+    return runs;
+}
+
+Drawing picture(const CoonsPatch& patch, const std::optional<ZebraView>& view) {
+    const int lines = view ? 160 : 16;
+    std::vector<Points> runs, outline;
+    for (int j = 0; j <= lines; ++j) {
+        for (Points& run : runs_along(patch, double(j) / lines, view)) {
+            if (run.size() > 1) runs.push_back(std::move(run));
+        }
+    }
+    Points border(0, 3);
+    constexpr int steps = 100;
+    for (int side = 0; side < 4; ++side) {
+        for (int i = 0; i <= steps; ++i) {
+            const double x = double(i) / steps;
+            const double u = side == 0 ? x : side == 1 ? 1 : side == 2 ? 1 - x : 0;
+            const double v = side == 0 ? 0 : side == 1 ? x : side == 2 ? 1 : 1 - x;
+            border.push_back(patch.jet(u, v).point);
+        }
+    }
+    Drawing drawing;
+    if (!runs.empty()) {
+        drawing.add(PolylineLayer{runs, {}, {view ? Tone::ink : Tone::grey, Dash::solid,
+                                             view ? 2.2 : 0.8}});
+    }
+    drawing.add(PolylineLayer{{border}, {}, {Tone::blue, Dash::solid, 1.4}});
+    return drawing;
+}
+
+/// Ten extents away along the diagonal of the axes that pictures are seen from.
+std::array<double, 3> far_eye(const CoonsPatch& patch) {
+    const auto low = patch.jet(0, 0).point, high = patch.jet(1, 1).point;
+    const double reach = 10 * std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+    return {low[0] + reach, low[1] - reach, low[2] + reach};
+}
+
+Outcome run(std::span<const Input> inputs, const CoonsOptions& options) {
+    const CoonsPatch patch = patch_of(inputs);
+    const Interval range = gaussian_range(patch);
+    std::optional<ZebraView> view;
+    if (options.zebra) {
+        view = ZebraView{options.eye.empty() ? far_eye(patch) : triple(options.eye, "eye"),
+                         triple(options.axis, "axis"), options.stripes};
+    }
+    return {samples(patch, options.count), Status::met, {},
+            report_value(CoonsReport{{range.lo, range.hi}}),
+            [patch, view] { return picture(patch, view); }};
+}
+
+}  // namespace
+
+Operation coons_row() {
+    return row<CoonsOptions>({"coons", "the bilinear Coons patch of four curves, and its curvature",
+                              InputKind::curve, OutputKind::rows, true},
+                             run);
+}
+
+}  // namespace batten::api

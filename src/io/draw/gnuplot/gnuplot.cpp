@@ -1,0 +1,187 @@
+#include "batten/io/draw/gnuplot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "batten/base/error.hpp"
+#include "batten/base/text.hpp"
+#include "io/draw/prepare.hpp"
+#include "io/draw/scene/theme.hpp"
+
+namespace batten {
+namespace {
+
+using namespace drawing;
+
+constexpr int chords_a_bezier = 16;
+
+/// In gnuplot's double quotes; only names and captions of people come here.
+std::string quoted(const std::string& text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\' || c == '`' || c == '$') result += '\\';
+        result += c == '\n' ? ' ' : c;
+    }
+    return result + '"';
+}
+
+std::string rows_of(const Points& run) {
+    std::string rows;
+    for (std::size_t i = 0; i < run.size(); ++i) {
+        rows += format_number(run(i, 0)) + ' ' + format_number(run(i, 1)) + '\n';
+    }
+    return rows + '\n';
+}
+
+/// A trace as chains of chords.
+std::string rows_of(const Trace& trace) {
+    std::string rows;
+    for (std::size_t i = 0; i < trace.beziers.size(); i += 4) {
+        Points run(0, 2);
+        for (int k = 0; k <= chords_a_bezier; ++k) {
+            const double t = k / double{chords_a_bezier}, s = 1 - t;
+            const double w[] = {s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
+            double at[2] = {0, 0};
+            for (std::size_t j = 0; j < 4; ++j) {
+                for (int c = 0; c < 2; ++c) at[c] += w[j] * trace.beziers(i + j, c);
+            }
+            run.push_back(at);
+        }
+        rows += rows_of(run);
+    }
+    for (const Points& run : trace.runs) rows += rows_of(run);
+    return rows;
+}
+
+std::string line_style(const LineStyle& line, Tone tone) {
+    const int dash = line.dash == Dash::solid ? 1 : line.dash == Dash::dashed ? 2 : 3;
+    return "with lines lw " + format_number(line.width) + " dt " + std::to_string(dash) +
+           " lc rgb \"" + std::string(color_of(tone)) + '"';
+}
+
+/// One layer as data and how they are plotted.
+struct Plot {
+    std::string rows;
+    std::string style;
+};
+
+struct Plotter {
+    const ReadyLayer& ready;
+    std::string place;
+
+    std::string color() const { return "lc rgb \"" + std::string(color_of(ready.tone)) + '"'; }
+
+    [[noreturn]] Plot refuse(const char* what) const {
+        throw Error("drawing.gnuplot", place, what, "is drawn as SVG only");
+    }
+    Plot operator()(const CurveLayer& layer) const {
+        return {rows_of(ready.trace), line_style(layer.line, ready.tone)};
+    }
+    Plot operator()(const PolylineLayer& layer) const {
+        std::string rows;
+        for (const Points& run : layer.runs) rows += rows_of(run);
+        return {rows, line_style(layer.line, ready.tone)};
+    }
+    Plot operator()(const PointsLayer& layer) const {
+        const char* const sign = layer.marker == Marker::open ? "6" : "7";
+        return {rows_of(layer.points), std::string("with points pt ") + sign + " ps 0.5 " + color()};
+    }
+    Plot operator()(const RegionsLayer& layer) const {
+        std::string rows;
+        for (const Points& outline : layer.outlines) rows += rows_of(outline);
+        return {rows, "with filledcurves closed fs transparent solid 0.2 noborder " + color()};
+    }
+    Plot operator()(const TicksLayer& layer) const {
+        Points points(0, 2);
+        for (const double t : layer.at) {
+            const Spot at = spot_on(layer.curve, t);
+            points.push_back(std::span(at.data(), 2));
+        }
+        return {rows_of(points), "with points pt 1 ps 0.7 " + color()};
+    }
+    Plot operator()(const TextLayer& layer) const {
+        return {format_number(layer.at[0]) + ' ' + format_number(layer.at[1]) + ' ' +
+                    quoted(layer.text) + "\n\n",
+                "using 1:2:3 with labels left offset 0.5,0.5 " + std::string("tc rgb \"") +
+                    std::string(color_of(ready.tone)) + '"'};
+    }
+    Plot operator()(const ControlPolygonLayer&) const { return refuse("a control polygon"); }
+    Plot operator()(const CombLayer&) const { return refuse("a comb"); }
+    Plot operator()(const ArrowsLayer&) const { return refuse("arrows"); }
+};
+
+std::string range_of(const char* axis, Interval side, bool is_log) {
+    const double lo = is_log ? std::pow(10.0, side.lo) : side.lo;
+    const double hi = is_log ? std::pow(10.0, side.hi) : side.hi;
+    std::string text = is_log ? std::string("set logscale ") + axis : std::string("unset logscale ") + axis;
+    text += std::string("\nset ") + axis + "range [";
+    if (lo < hi) text += format_number(lo) + ':' + format_number(hi);
+    return text + "]\n";
+}
+
+std::string panel_script(const ReadyPanel& ready, std::size_t index, std::set<std::string>& named) {
+    const Panel& panel = *ready.panel;
+    const std::string place = "panel " + std::to_string(index);
+    if (ready.box.dim == 3) {
+        throw Error("drawing.gnuplot", place, "a panel in space", "is drawn as SVG only");
+    }
+    std::string text = "set title " + quoted(panel.caption) + "\nset xlabel " +
+                       quoted(panel.x_label) + "\nset ylabel " + quoted(panel.y_label) + '\n';
+    text += range_of("x", ready.box.sides[0], ready.is_log[0]);
+    text += range_of("y", ready.box.sides[1], ready.is_log[1]);
+    text += panel.kind == PanelKind::geometry ? "set size ratio -1\n" : "set size noratio\n";
+    std::string plots;
+    for (std::size_t i = 0; i < ready.layers.size(); ++i) {
+        const ReadyLayer& layer = ready.layers[i];
+        const Plot plot = std::visit(Plotter{layer, place + " layer " + std::to_string(i)},
+                                     *layer.layer);
+        if (plot.rows.empty()) continue;
+        const std::string block = "$d" + std::to_string(index) + '_' + std::to_string(i);
+        text += block + " << END_OF_DATA\n" + plot.rows + "END_OF_DATA\n";
+        const std::string& name = name_of(*layer.layer);
+        const bool is_new = !name.empty() && named.insert(name).second;
+        plots += (plots.empty() ? "plot " : ", \\\n     ") + block + ' ' + plot.style +
+                 (is_new ? " title " + quoted(name) : " notitle");
+    }
+    return text + (plots.empty() ? "plot NaN notitle" : plots) + '\n';
+}
+
+std::string terminal(const Drawing& drawing, ChartFormat format, std::size_t rows) {
+    const std::size_t height = 90 + 400 * rows;
+    switch (format) {
+        case ChartFormat::svg:
+            return "svg noenhanced size " + std::to_string(drawing.width) + ',' +
+                   std::to_string(height);
+        case ChartFormat::png:
+            return "pngcairo noenhanced size " + std::to_string(drawing.width) + ',' +
+                   std::to_string(height);
+        case ChartFormat::pdf: break;
+    }
+    return "pdfcairo noenhanced size " + format_fixed(drawing.width / 100.0, 2) + ',' +
+           format_fixed(static_cast<double>(height) / 100.0, 2);
+}
+
+}  // namespace
+
+std::string gnuplot_script(const Drawing& drawing, ChartFormat format) {
+    const std::vector<ReadyPanel> panels = prepare(drawing);
+    const std::size_t usual = panels.size() == 4 ? 2 : 3;
+    const std::size_t columns = std::min(
+        panels.size(), drawing.columns ? static_cast<std::size_t>(*drawing.columns) : usual);
+    const std::size_t rows = (panels.size() + columns - 1) / columns;
+    std::string text = "set encoding utf8\nset terminal " + terminal(drawing, format, rows) +
+                       "\nset border 3 lc rgb \"" + std::string(axis_color) +
+                       "\"\nset tics nomirror tc rgb \"" + std::string(text_color) +
+                       "\"\nset grid lc rgb \"" + std::string(grid_color) +
+                       "\" lt 1\nset key bmargin center horizontal samplen 2\n";
+    std::string title = drawing.title;
+    if (!drawing.subtitle.empty()) title += (title.empty() ? "" : " — ") + drawing.subtitle;
+    text += "set multiplot layout " + std::to_string(rows) + ',' + std::to_string(columns) +
+            " title " + quoted(title) + '\n';
+    std::set<std::string> named;
+    for (std::size_t i = 0; i < panels.size(); ++i) text += panel_script(panels[i], i, named);
+    return text + "unset multiplot\n";
+}
+
+}  // namespace batten

@@ -1,0 +1,100 @@
+#include "batten/make/fit_curve.hpp"
+#include "batten/measure/area.hpp"
+#include "batten/measure/length.hpp"
+#include "fit_samples.hpp"
+
+#include <gtest/gtest.h>
+
+/// Parametric least squares: known shapes.
+namespace batten {
+namespace fit_curve_test {
+
+using testing::Noise;
+
+constexpr double two_pi = 2 * std::numbers::pi;
+
+Points circle(int count, double noise_level, std::uint64_t seed) {
+    Noise noise(seed);
+    Points points(0, 2);
+    for (int i = 0; i < count; ++i) {
+        const double a = two_pi * i / count;
+        const double radius = 10 + noise_level * noise.normal();
+        points.push_back(std::vector<double>{radius * std::cos(a), radius * std::sin(a)});
+    }
+    return points;
+}
+
+TEST(FitCurve, GivesAClosedCurveNearNoisyPointsOfACircle) {
+    FitOptions options;
+    options.closed = true;
+    options.sigma = 0.1;
+    const CurveFit made = fit_curve(circle(200, 0.1, 1), {}, options);
+    EXPECT_EQ(made.report.status, Status::met);
+    EXPECT_TRUE(made.curve.is_closed());
+    EXPECT_NEAR(length(Curve(made.curve)).value, 10 * two_pi, 0.3);
+    EXPECT_NEAR(area(Curve(made.curve)).value, 100 * std::numbers::pi, 2);
+    // Half the coordinates' noise is along the curve, where the parameters take it up.
+    EXPECT_LT(made.report.delta2, 260);
+    EXPECT_GT(made.report.delta2, 140);
+    EXPECT_LE(made.report.intervals, 14);
+}
+
+TEST(FitCurve, ComesNearerByCorrectingParameters) {
+    // A cubic is no cubic in its chord lengths.
+    Points points(0, 3);
+    for (int i = 0; i <= 60; ++i) {
+        const double t = i / 60.0;
+        points.push_back(std::vector<double>{t, t * t, t * t * t});
+    }
+    FitOptions options;
+    options.sigma = 1e-3;
+    options.knots = KnotPlacement::equal;
+    options.intervals = 4;
+    options.corrections = 0;
+    const double before = fit_curve(points, {}, options).report.max_residual.value();
+    options.corrections = 200;
+    const CurveFit made = fit_curve(points, {}, options);
+    EXPECT_LT(made.report.max_residual.value(), 0.6 * before);
+}
+
+TEST(FitCurve, PutsParametersWhereTheCurveIsNearest) {
+    FitOptions options;
+    options.closed = true;
+    options.sigma = 0.1;
+    options.corrections = 50;
+    const Points points = circle(100, 0.1, 3);
+    const CurveFit made = fit_curve(points, {}, options);
+    const Curve curve(made.curve);
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+        const Jet jet = curve.jet(made.parameters[i], 1);
+        const double dx = points(i, 0) - jet[0][0], dy = points(i, 1) - jet[0][1];
+        const double speed = std::hypot(jet[1][0], jet[1][1]);
+        EXPECT_LT(std::fabs(dx * jet[1][0] + dy * jet[1][1]) / speed, 0.02) << i;
+    }
+}
+
+TEST(FitCurve, ScalesExactlyWithThePoints) {
+    const Points points = circle(80, 0.1, 4);
+    Points large = points;
+    for (double& x : large.coordinates()) x *= 0x1p10;
+    FitOptions options;
+    const CurveFit one = fit_curve(points, {}, options), other = fit_curve(large, {}, options);
+    ASSERT_EQ(one.report.coefficients.size(), other.report.coefficients.size());
+    for (std::size_t j = 0; j < one.report.coefficients.size(); ++j) {
+        EXPECT_EQ(other.report.coefficients[j], one.report.coefficients[j] * 0x1p10);
+    }
+}
+
+TEST(FitCurve, CountsEveryCoordinateAsASample) {
+    FitOptions options;
+    options.knots = KnotPlacement::equal;
+    options.intervals = 5;
+    const CurveFit made = fit_curve(circle(50, 0.1, 5), {}, options);
+    EXPECT_EQ(made.report.samples, 100u);
+    EXPECT_EQ(made.report.parameters, 16);
+    EXPECT_EQ(made.report.coefficients.size(), 16u);
+    EXPECT_EQ(made.report.sigma_source, SigmaSource::estimated);
+}
+
+}  // namespace fit_curve_test
+}  // namespace batten

@@ -1,0 +1,97 @@
+#include "fit_samples.hpp"
+
+#include <gtest/gtest.h>
+
+/// Pruned knots: where data jump, knots stack up; where they are smooth, few are left.
+namespace batten {
+namespace fit_pruned_test {
+
+using testing::FitTable;
+using testing::Noise;
+
+FitTable sampled(double (*f)(double), int count, double sigma, std::uint64_t seed) {
+    Noise noise(seed);
+    FitTable table;
+    for (int i = 0; i < count; ++i) {
+        table.x.push_back((i + 0.5) / count);
+        table.y.push_back(f(table.x.back()) + sigma * noise.normal());
+        table.sigma.push_back(sigma);
+    }
+    return table;
+}
+
+double step(double x) { return x < 0.3141 ? 0 : 1; }
+double wave(double x) { return std::sin(6 * x); }
+
+double mean_error_sq(const FitTable& table, const SplineFunction& s, double (*f)(double)) {
+    double sum = 0;
+    for (const double x : table.x) sum += (s(x) - f(x)) * (s(x) - f(x));
+    return sum / static_cast<double>(table.x.size());
+}
+
+FitOptions pruned() {
+    FitOptions options;
+    options.knots = KnotPlacement::pruned;
+    return options;
+}
+
+TEST(PrunedKnots, StackUpAtAJump) {
+    double made_sum = 0, plain_sum = 0;
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+        const FitTable table = sampled(step, 300, 0.1, seed);
+        const Fit made = fit(table.view(), pruned()), plain = fit(table.view(), {});
+        made_sum += mean_error_sq(table, made.spline, step);
+        plain_sum += mean_error_sq(table, plain.spline, step);
+        EXPECT_LT(made.report.parameters, plain.report.parameters) << seed;
+        const auto near = std::count_if(
+            made.report.knots.begin(), made.report.knots.end(),
+            [](double t) { return std::fabs(t - 0.3141) < 0.01; });
+        EXPECT_GE(near, 3) << seed;
+    }
+    EXPECT_LT(made_sum, 0.5 * plain_sum);
+}
+
+TEST(PrunedKnots, AreFewWhereTheDataAreSmooth) {
+    double made_sum = 0, plain_sum = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        const FitTable table = sampled(wave, 200, 0.2, seed);
+        const Fit made = fit(table.view(), pruned());
+        EXPECT_LE(made.report.parameters, 9) << seed;
+        EXPECT_EQ(made.report.parameters_charged,
+                  made.report.parameters + made.report.intervals - 1);
+        made_sum += mean_error_sq(table, made.spline, wave);
+        plain_sum += mean_error_sq(table, fit(table.view(), {}).spline, wave);
+    }
+    EXPECT_LT(made_sum, 1.25 * plain_sum);
+}
+
+TEST(PrunedKnots, ScaleExactly) {
+    const FitTable table = sampled(step, 200, 0.1, 9);
+    FitTable large = table;
+    for (double& y : large.y) y *= 0x1p12;
+    for (double& s : large.sigma) s *= 0x1p12;
+    for (double& x : large.x) x *= 0x1p-7;
+    const Fit one = fit(table.view(), pruned()), other = fit(large.view(), pruned());
+    ASSERT_EQ(one.report.knots.size(), other.report.knots.size());
+    for (std::size_t i = 0; i < one.report.knots.size(); ++i) {
+        EXPECT_EQ(other.report.knots[i], one.report.knots[i] * 0x1p-7);
+    }
+    for (std::size_t j = 0; j < one.report.coefficients.size(); ++j) {
+        EXPECT_EQ(other.report.coefficients[j], one.report.coefficients[j] * 0x1p12);
+    }
+}
+
+TEST(PrunedKnots, AreFoundWithoutKnownErrorsAndBesideOutliers) {
+    FitTable table = sampled(step, 300, 0.1, 11);
+    FitOptions options = pruned();
+    const Fit unknown = fit(table.without_sigma(), options);
+    EXPECT_LT(mean_error_sq(table, unknown.spline, step), 0.003);
+    table.y[200] += 3;
+    options.robust = Robust::reject;
+    const Fit saved = fit(table.view(), options);
+    EXPECT_LT(mean_error_sq(table, saved.spline, step), 0.003);
+    EXPECT_FALSE(saved.report.rejected.empty());
+}
+
+}  // namespace fit_pruned_test
+}  // namespace batten
