@@ -91,21 +91,12 @@ std::string json_of(const std::vector<Contour>& lines) {
     return dump_json(ValueMap{{"format", "batten.contours/1"}, {"lines", std::move(list)}});
 }
 
-Drawing contour_picture(const std::vector<Contour>& lines) {
-    Drawing drawing;
-    Panel& panel = drawing.panels.front();
-    panel.kind = PanelKind::chart;
-    panel.x_label = "x";
-    panel.y_label = "y";
-    add_contours(panel, lines);
-    return drawing;
-}
-
 Outcome run(std::span<const Input> inputs, const ContourOptions& options) {
     const SplineSurface& surface = product_input(inputs);
     ContourReport report;
     report.levels = options.levels.empty() ? round_levels(surface, options.count) : options.levels;
     std::vector<Contour> lines;
+    const Rectangle domain = surface.domain();
     for (const double level : report.levels) {
         for (Contour& line : contours(surface, level, options.tolerance)) {
             report.lines.push_back({level, line.curve.is_closed(), length(line.curve).value,
@@ -117,10 +108,10 @@ Outcome run(std::span<const Input> inputs, const ContourOptions& options) {
             Status::met,
             {},
             report_value(report),
-            [lines] { return contour_picture(lines); },
+            [surface, lines] { return contour_picture(surface, lines); },
             {{"json", [lines] { return json_of(lines); }},
              {"dxf", [lines] { return dxf(curves_of(lines)); }},
-             {"svg", [lines] { return svg(contour_picture(lines)); }}}};
+             {"svg", [domain, lines] { return svg(contour_map(domain, lines)); }}}};
 }
 
 }  // namespace

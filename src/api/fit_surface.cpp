@@ -51,7 +51,7 @@ Outcome run_curved(const GridFile& grid, const FitSurfaceOptions& options) {
             made.report.status,
             {},
             report_value(made.report),
-            [made] { return front_picture(made); },
+            [made, grid, sigma = options.sigma] { return front_picture(made, grid, sigma); },
             {{"csv", [=] { return csv_grid(grid.x, grid.y, heights()); }},
              {"npy", [=] { return npy_grid(heights()); }}}};
 }

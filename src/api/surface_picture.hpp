@@ -1,21 +1,19 @@
 #pragma once
 
-#include "batten/io/draw/drawing.hpp"
+#include "batten/io/draw/surface_plots.hpp"
 #include "batten/io/grid_file.hpp"
 #include "batten/make/fit_front.hpp"
 #include "batten/make/fit_surface.hpp"
-#include "batten/measure/contours.hpp"
 
 namespace batten::api {
 
-/// Lines of equal height as layers of a chart of y against x, one tone for all.
-void add_contours(Panel& panel, const std::vector<Contour>& lines);
+/// Level lines as a map; and the same upon the surface.
+Drawing contour_map(const Rectangle& domain, const std::vector<Contour>& lines);
+Drawing contour_picture(const SplineSurface& surface, const std::vector<Contour>& lines);
 
-/// Two charts: lines of equal height over the knot lines, and the nodes whose residual is beyond
-/// two standard deviations, those above and those below.
+/// Four panels: the data under the knot lines, level lines, the surface in space, residuals.
 Drawing surface_fit_picture(const SurfaceFit& fit, const GridFile& grid);
-
-/// The knot lines of a surface with a front.
-Drawing front_picture(const FrontFit& fit);
+/// `sigma` is the error asked for, if any.
+Drawing front_picture(const FrontFit& fit, const GridFile& grid, std::optional<double> sigma);
 
 }  // namespace batten::api

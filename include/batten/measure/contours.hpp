@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "batten/base/interval.hpp"
 #include "batten/base/tolerance.hpp"
 #include "batten/shape/curve.hpp"
 #include "batten/shape/spline_surface.hpp"
@@ -31,5 +32,8 @@ std::vector<Contour> contours(const SplineSurface& surface, double level,
 
 /// `count` round levels inside the range of the surface on a lattice.
 std::vector<double> round_levels(const SplineSurface& surface, int count);
+
+/// The same inside of a range of heights.
+std::vector<double> round_levels(Interval heights, int count);
 
 }  // namespace batten

@@ -230,9 +230,13 @@ std::vector<double> round_levels(const SplineSurface& surface, int count) {
                                     lattice_lines(surface.y_basis()));
     const std::span<const double> values = z.view().values();
     const auto [lo, hi] = std::minmax_element(values.begin(), values.end());
-    const double rounding = 1e-12 * std::max(std::fabs(*lo), std::fabs(*hi));
-    if (!(*hi - *lo > rounding)) return {};
-    const double rough = (*hi - *lo) / (count + 1);
+    return round_levels(Interval{*lo, *hi}, count);
+}
+
+std::vector<double> round_levels(Interval heights, int count) {
+    const double rounding = 1e-12 * std::max(std::fabs(heights.lo), std::fabs(heights.hi));
+    if (!(heights.length() > rounding)) return {};
+    const double rough = heights.length() / (count + 1);
     double step = std::pow(10, std::floor(std::log10(rough)));
     for (const double factor : {5.0, 2.0}) {
         if (factor * step <= rough) {
@@ -241,7 +245,9 @@ std::vector<double> round_levels(const SplineSurface& surface, int count) {
         }
     }
     std::vector<double> levels;
-    for (double k = std::floor(*lo / step) + 1; k * step < *hi; ++k) levels.push_back(k * step);
+    for (double k = std::floor(heights.lo / step) + 1; k * step < heights.hi; ++k) {
+        levels.push_back(k * step);
+    }
     return levels;
 }
 
