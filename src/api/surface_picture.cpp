@@ -8,6 +8,7 @@ namespace {
 
 constexpr int levels_drawn = 10;
 constexpr std::size_t relief_nodes = 37;
+constexpr std::size_t front_relief_nodes = 61;
 constexpr std::size_t level_nodes = 161;  // where lines are not traced on the surface itself
 constexpr int picture_width = 960;
 
@@ -43,7 +44,9 @@ Panel levels_of(const Surface& surface, const std::vector<double>& levels) {
 
 Drawing fit_panels(const Surface& surface, const GridFile& grid, double sigma) {
     const std::vector<PolylineLayer> knots = knot_lines(surface);
-    const Heights relief = sampled(surface, relief_nodes);
+    const bool is_curved = std::holds_alternative<CurvedKnotSurface>(surface);
+    const std::size_t nodes = is_curved ? front_relief_nodes : relief_nodes;
+    const Heights relief = sampled(surface, nodes);
     const std::vector<double> levels = round_levels(range_of_heights(relief), levels_drawn);
     Panel data = height_map({grid.x, grid.y, grid.z}, "data and knot lines");
     for (const PolylineLayer& lines : knots) data.add(lines);
@@ -52,7 +55,7 @@ Drawing fit_panels(const Surface& surface, const GridFile& grid, double sigma) {
     drawing.columns = 2;
     drawing.panels = {std::move(data), levels_of(surface, levels),
                       residual_map(scaled_residuals(surface, grid, sigma), knots, "residuals"),
-                      relief_plot(relief, levels, "S")};
+                      relief_plot(relief, {levels, nodes}, "S")};
     return drawing;
 }
 
@@ -72,7 +75,7 @@ Drawing contour_picture(const SplineSurface& surface, const std::vector<Contour>
     }
     Drawing drawing;
     drawing.width = picture_width;
-    drawing.panels = {relief_plot(sampled(surface, relief_nodes), levels, "the surface")};
+    drawing.panels = {relief_plot(sampled(surface, relief_nodes), {levels}, "the surface")};
     if (lines.empty()) return drawing;
     Panel map = contour_map(surface.domain(), lines).panels.front();
     map.caption = "lines of equal height";

@@ -74,7 +74,7 @@ Drawing of(std::vector<Panel> panels) {
 
 TEST(Picture, OfReliefsHidesWhatIsBehind) {
     const std::vector<double> levels{60, 65, 70, 75, 85, 90, 100, 110};
-    Panel shaded = relief_plot(hills(25, 25), levels, "lit, with level lines");
+    Panel shaded = relief_plot(hills(25, 25), {levels}, "lit, with level lines");
     Panel wire = relief_plot(hills(21, 21), {}, "node lines and points");
     SheetLayer& sheet = std::get<SheetLayer>(wire.layers[0]);
     sheet.style = SheetStyle::wire;
@@ -173,7 +173,7 @@ TEST(Sheet, LooksTheSameAtAnyScale) {
         for (double& y : heights.y) y *= factor;
         for (std::size_t i = 0; i < 81; ++i) heights.z(i / 9, i % 9) *= factor;
         Drawing drawing;
-        drawing.panels = {relief_plot(heights, {70 * factor}, "")};
+        drawing.panels = {relief_plot(heights, {{70 * factor}}, "")};
         drawing.panels[0].axes = AxesStyle::hidden;
         return svg(drawing);
     };

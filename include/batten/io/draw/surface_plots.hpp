@@ -27,7 +27,8 @@ std::vector<PolylineLayer> knot_lines(const Surface& surface);
 /// An empty panel for a map of `part`.
 Panel map_panel(const Rectangle& part, std::string caption);
 
-/// Level lines of heights on a grid, linear between nodes, with their levels.
+/// Level lines of heights on a grid, linear between nodes, with their levels; of more than 12 every
+/// other one is numbered.
 /// Throws what level_lines throws.
 Panel level_plot(const Heights& heights, const std::vector<double>& levels, std::string caption);
 
@@ -38,8 +39,14 @@ Panel level_plot(const SplineSurface& surface, const std::vector<double>& levels
 /// Level lines that are known, each level with its own number upon them.
 void add_levels(Panel& panel, const std::vector<Contour>& lines);
 
-/// A view of heights in space with level lines upon them; no more than 48 nodes a side are shown.
-Panel relief_plot(const Heights& heights, const std::vector<double>& levels, std::string caption);
+struct ReliefStyle {
+    std::vector<double> levels = {};  ///< of the lines upon the relief
+    std::size_t most_nodes = 48;      ///< a side; of more, some are picked
+    SheetStyle sheet = SheetStyle::shaded;
+};
+
+/// A view of heights in space.
+Panel relief_plot(const Heights& heights, const ReliefStyle& style, std::string caption);
 
 /// Coloured heights with their bar.
 Panel height_map(const Heights& heights, std::string caption);

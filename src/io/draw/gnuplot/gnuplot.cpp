@@ -180,7 +180,7 @@ bool can_splot(const Layer& layer) {
 
 /// The axes of a panel in space, seen from where `svg` sees it.
 std::string space_axes(const Panel& panel) {
-    return "set zlabel " + quoted(panel.z_label) +
+    return "unset colorbox\nset zlabel " + quoted(panel.z_label) +
            "\nset view 55,45\nset xyplane 0\nset pm3d depthorder lighting\nset hidden3d\n" +
            (panel.kind == PanelKind::geometry ? "set view equal xyz\n" : "set view noequal\n");
 }

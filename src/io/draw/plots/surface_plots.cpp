@@ -11,7 +11,7 @@ namespace batten {
 namespace {
 
 constexpr double most_unequal = 2.5;
-constexpr std::size_t most_nodes = 48;
+constexpr std::size_t most_numbered = 12;  ///< levels; of more only every other one is
 constexpr std::size_t curved_line_places = 101;
 constexpr LineStyle level_style{Tone::blue, Dash::solid, 1.1};
 constexpr LineStyle relief_level_style{Tone::ink, Dash::solid, 0.7};
@@ -62,16 +62,17 @@ std::vector<PolylineLayer> curved_knots(const CurvedKnotSurface& surface) {
     return layers;
 }
 
-/// Every so-manieth of `places`, both ends among them.
-std::vector<std::size_t> picked(std::size_t count) {
-    const std::size_t most = std::min(count, most_nodes);
+/// Evenly picked numbers below `count`, both ends among them.
+std::vector<std::size_t> picked(std::size_t count, std::size_t most_nodes) {
+    const std::size_t most = std::min(count, std::max<std::size_t>(most_nodes, 2));
     std::vector<std::size_t> nodes;
     for (std::size_t k = 0; k < most; ++k) nodes.push_back(k * (count - 1) / (most - 1));
     return nodes;
 }
 
-Heights thinned(const Heights& heights) {
-    const std::vector<std::size_t> rows = picked(heights.x.size()), columns = picked(heights.y.size());
+Heights thinned(const Heights& heights, std::size_t most) {
+    const std::vector<std::size_t> rows = picked(heights.x.size(), most);
+    const std::vector<std::size_t> columns = picked(heights.y.size(), most);
     Heights result{{}, {}, Grid(rows.size(), columns.size())};
     for (const std::size_t i : rows) result.x.push_back(heights.x[i]);
     for (const std::size_t j : columns) result.y.push_back(heights.y[j]);
@@ -136,10 +137,12 @@ Panel map_panel(const Rectangle& part, std::string caption) {
 
 Panel level_plot(const Heights& heights, const std::vector<double>& levels, std::string caption) {
     Panel panel = map_panel(part_of(heights), std::move(caption));
-    for (const double level : levels) {
-        std::vector<Points> runs = level_lines(heights.x, heights.y, heights.z, level);
+    const std::size_t step = levels.size() > most_numbered ? 2 : 1;
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+        std::vector<Points> runs = level_lines(heights.x, heights.y, heights.z, levels[k]);
         if (runs.empty()) continue;
-        panel.add(PolylineLayer{std::move(runs), {}, level_style, drawing::short_number(level)});
+        const std::string label = k % step == 0 ? drawing::short_number(levels[k]) : "";
+        panel.add(PolylineLayer{std::move(runs), {}, level_style, label});
     }
     return panel;
 }
@@ -157,9 +160,10 @@ Panel level_plot(const SplineSurface& surface, const std::vector<double>& levels
     return panel;
 }
 
-Panel relief_plot(const Heights& all, const std::vector<double>& levels, std::string caption) {
-    const Heights heights = thinned(all);
+Panel relief_plot(const Heights& all, const ReliefStyle& style, std::string caption) {
+    const Heights heights = thinned(all, style.most_nodes);
     SheetLayer sheet;
+    sheet.style = style.sheet;
     sheet.nodes = Grid(heights.x.size(), heights.y.size(), 3);
     for (std::size_t i = 0; i < heights.x.size(); ++i) {
         for (std::size_t j = 0; j < heights.y.size(); ++j) {
@@ -172,7 +176,7 @@ Panel relief_plot(const Heights& all, const std::vector<double>& levels, std::st
             sheet.nodes(i, j, 2) = heights.z(i, j);
         }
     }
-    sheet.lines = lines_upon(heights, levels);
+    sheet.lines = lines_upon(heights, style.levels);
     Panel panel;
     panel.caption = std::move(caption);
     panel.kind = PanelKind::relief;
