@@ -7,6 +7,7 @@ import json
 import math
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -704,6 +705,41 @@ class Surfaces(Folder):
             self.good("fit-surface", self.grid(), "-o", self.path("s." + form))
         for form in ("csv", "svg", "dxf"):
             self.good("contour", self.path("s.json"), "-o", self.path("c." + form))
+
+    def test_pictures_of_surfaces_have_their_panels(self):
+        self.good("fit-surface", self.grid(), "--sigma", "0.01", "-o", self.path("s.json"),
+                  "--draw", self.path("s.svg"))
+        self.good("contour", self.path("s.json"), "--levels", "0.1,0.2", "-o",
+                  self.path("c.csv"), "--draw", self.path("c.svg"))
+        for name, captions in (("s.svg", ("data and knot lines", "S, lines of equal height",
+                                          "residuals", ">S<", "residual / σ")),
+                               ("c.svg", ("lines of equal height", "the surface", ">0.1<"))):
+            with open(self.path(name), encoding="utf-8") as stream:
+                text = stream.read()
+            for caption in captions:
+                self.assertIn(caption, text)
+
+    @unittest.skipUnless(shutil.which("gnuplot"), "needs gnuplot")
+    def test_pictures_of_surfaces_are_png_by_gnuplot(self):
+        self.good("fit-surface", self.grid(), "--sigma", "0.01", "--draw", self.path("s.png"))
+        with open(self.path("s.png"), "rb") as stream:
+            self.assertEqual(stream.read(4), b"\x89PNG")
+
+    def test_noisy_heights_give_the_curvature_of_a_level_circle_to_a_hundredth(self):
+        program = os.path.join(os.path.abspath(sys.argv[2]), "tools", "make_dome.py")
+        dome = self.file("dome.csv", subprocess.run([sys.executable, program], check=True,
+                                                    capture_output=True, text=True).stdout)
+        self.good("fit-surface", dome, "--sigma", "0.002", "--degree", "5", "-o",
+                  self.path("s.json"))
+        self.good("contour", self.path("s.json"), "--levels", "0.835270211", "-o",
+                  self.path("c.json"))
+        self.good("evaluate", self.path("c.json"), "--count", "721", "--derivatives", "2", "-o",
+                  self.path("d.csv"))
+        with open(self.path("d.csv"), encoding="utf-8") as stream:
+            rows = [[float(cell) for cell in line.split(",")] for line in list(stream)[1:]]
+        for _, _, _, dx, dy, ddx, ddy in rows:
+            bend = (dx * ddy - dy * ddx) / math.hypot(dx, dy) ** 3
+            self.assertAlmostEqual(0.3 * bend, 1, delta=0.01)
 
     def test_a_job_passes_surfaces_on(self):
         rows = [[(0.1 * i - 0.6) ** 2 + (0.1 * j - 0.5) ** 2 for j in range(11)] for i in range(13)]

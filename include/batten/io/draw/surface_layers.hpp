@@ -28,7 +28,7 @@ struct BarMark {
 /// on logarithmic axes.
 ///
 /// Borders of cells are halfway between nodes, those outside on the first and last node; cells
-/// narrower than 3 pixels are drawn together, by the mean of their numbers. Missing nodes stay
+/// narrower than 4 pixels are drawn together, by the mean of their numbers. Missing nodes stay
 /// paper. 16 classes of colour, so that neighbours can be told apart.
 struct MapLayer {
     std::vector<double> x, y;  ///< places of the nodes, rising, at least two each

@@ -12,7 +12,7 @@
 namespace batten::drawing {
 namespace {
 
-constexpr double narrowest_cell = 3;  ///< pixels
+constexpr double narrowest_cell = 4;  ///< pixels
 constexpr double bar_height = 8;
 constexpr double bar_share = 0.62;  ///< of the panel's width; the rest is for its name
 
