@@ -83,6 +83,43 @@ TEST(GridFile, ReadsAPngWithFilters) {
     EXPECT_EQ(g.z(2, 0), 6);
 }
 
+/// Pictures written by an independent program: 16 bits deep; interlaced; 2-bit colours of a palette.
+TEST(GridFile, ReadsPngsOfEveryKind) {
+    const unsigned char deep[] = {
+        137, 80, 78, 71, 13, 10, 26, 10, 0, 0, 0, 13, 73, 72, 68, 82, 0, 0,
+        0, 2, 0, 0, 0, 2, 16, 0, 0, 0, 0, 7, 77, 142, 187, 0, 0, 0,
+        18, 73, 68, 65, 84, 120, 218, 99, 96, 96, 100, 252, 194, 240, 255, 63, 35, 3,
+        0, 12, 204, 2, 246, 176, 225, 10, 137, 0, 0, 0, 0, 73, 69, 78, 68, 174,
+        66, 96, 130};
+    const GridFile wide = parsed("a.png", std::string(std::begin(deep), std::end(deep)));
+    EXPECT_EQ(wide.z(0, 1), 1);
+    EXPECT_EQ(wide.z(1, 1), 500);
+    EXPECT_EQ(wide.z(0, 0), 65535);
+    EXPECT_EQ(wide.z(1, 0), 256);
+    const unsigned char interlaced[] = {
+        137, 80, 78, 71, 13, 10, 26, 10, 0, 0, 0, 13, 73, 72, 68, 82, 0, 0,
+        0, 3, 0, 0, 0, 2, 8, 0, 0, 0, 1, 207, 24, 9, 80, 0, 0, 0,
+        18, 73, 68, 65, 84, 120, 218, 99, 224, 98, 224, 97, 224, 102, 224, 229, 227, 7,
+        0, 1, 65, 0, 76, 46, 195, 110, 163, 0, 0, 0, 0, 73, 69, 78, 68, 174,
+        66, 96, 130};
+    const GridFile woven = parsed("b.png", std::string(std::begin(interlaced), std::end(interlaced)));
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(woven.z(i, 1), 10 + static_cast<double>(i));
+        EXPECT_EQ(woven.z(i, 0), 13 + static_cast<double>(i));
+    }
+    const unsigned char palette[] = {
+        137, 80, 78, 71, 13, 10, 26, 10, 0, 0, 0, 13, 73, 72, 68, 82, 0, 0,
+        0, 3, 0, 0, 0, 2, 2, 3, 0, 0, 0, 224, 26, 142, 137, 0, 0, 0,
+        9, 80, 76, 84, 69, 7, 7, 7, 255, 0, 0, 100, 100, 100, 200, 52, 112, 76,
+        0, 0, 0, 12, 73, 68, 65, 84, 120, 218, 99, 144, 96, 104, 1, 0, 0, 208,
+        0, 157, 213, 150, 247, 34, 0, 0, 0, 0, 73, 69, 78, 68, 174, 66, 96, 130};
+    const GridFile red = parsed("c.png", std::string(std::begin(palette), std::end(palette)));
+    EXPECT_EQ(red.z(0, 1), 7);
+    EXPECT_NEAR(red.z(1, 1), 0.2126 * 255, 1e-12);
+    EXPECT_EQ(red.z(2, 1), 100);
+    EXPECT_EQ(red.z(0, 0), 100);
+}
+
 TEST(GridFile, ComesBackFromItsOwnFormats) {
     SurfaceTable table = surface_of([](double x, double y) { return std::sin(9 * x + y) / 3; }, 5, 7);
     table.z.drop(2, 3);
@@ -97,7 +134,9 @@ TEST(GridFile, ComesBackFromItsOwnFormats) {
                 EXPECT_EQ(g.z(i, j), table.z(i, j));
             }
         }
-        if (is_text) EXPECT_EQ(g.x, table.x);
+        if (is_text) {
+            EXPECT_EQ(g.x, table.x);
+        }
     }
 }
 
@@ -115,6 +154,8 @@ TEST(GridFile, RefusesWhatIsNoGrid) {
     EXPECT_EQ(refused("g.csv", "x,y,f,sigma\n0,0,1,1\n0,1,1,0\n1,0,1,1\n1,1,1,1\n"), "fit.sigma");
     EXPECT_EQ(refused("g.png", "no picture at all"), "picture.format");
     EXPECT_EQ(refused("g.png", "\x89PNG\r\n\x1a\n"), "picture.format");
+    EXPECT_EQ(refused("g.png", std::string("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\x03", 20)),
+              "picture.format");
     EXPECT_EQ(refused("g.pgm", "P5\n3 2\n255\n123"), "picture.format");
     EXPECT_EQ(refused("g.pgm", "P5\n3\n"), "picture.format");
     EXPECT_EQ(refused("g.npy", "\x93NUMPY"), "npy.header");

@@ -15,7 +15,7 @@ namespace batten {
 /// Lines may touch and leave each other again: where m of them run together the derivative of
 /// order degree + 1 - m jumps across; where degree + 1 do, the surface itself. Lines that would
 /// cross exchange their places; parts outside the domain lie on its border; lines nearer than
-/// 1e-13 of the domain run together.
+/// 1e-12 of the domain run together.
 /// Immutable; an invalid one cannot exist.
 /// Source: [Hatano, section 4], with the order of the jumping derivative corrected.
 class CurvedKnotSurface {

@@ -1,158 +1,133 @@
-#include <algorithm>
-#include <cstdlib>
-
 #include "io/grids/readers.hpp"
+
+#if BATTEN_READS_PNG
+
+#include <png.h>
+
+#include <csetjmp>
+#include <cstring>
 
 namespace batten::grids {
 namespace {
 
-/// What a PNG declares [PNG, 11.2.2], its palette as greys, its packed pixels.
-struct Png {
-    std::size_t width = 0, height = 0;
-    int depth = 8, colour = 0;
-    std::vector<double> palette;
-    std::string packed;
-
-    int channels() const {
-        return colour == 2 ? 3 : colour == 4 ? 2 : colour == 6 ? 4 : 1;
+/// libpng's two structures, and the bytes it has not read yet.
+class PngReader {
+public:
+    explicit PngReader(std::string_view bytes) : bytes_(bytes) {
+        png = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, &PngReader::fail, &PngReader::warn);
+        if (png) info = png_create_info_struct(png);
+        if (!info) throw std::bad_alloc();
+        png_set_read_fn(png, this, &PngReader::next);
+        png_set_user_limits(png, most_side, most_side);
     }
+    ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
+    PngReader(const PngReader&) = delete;
+    PngReader& operator=(const PngReader&) = delete;
+
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+    std::jmp_buf back;
+    char trouble[80] = "";
+
+private:
+    static constexpr png_uint_32 most_side = 0x7fffffff;
+
+    static void fail(png_structp png, const char* text) {
+        auto* reader = static_cast<PngReader*>(png_get_error_ptr(png));
+        std::strncpy(reader->trouble, text, sizeof reader->trouble - 1);
+        std::longjmp(reader->back, 1);
+    }
+    static void warn(png_structp, const char*) {}
+    static void next(png_structp png, png_bytep out, std::size_t count) {
+        auto* reader = static_cast<PngReader*>(png_get_io_ptr(png));
+        if (count > reader->bytes_.size()) png_error(png, "the picture is cut short");
+        std::memcpy(out, reader->bytes_.data(), count);
+        reader->bytes_.remove_prefix(count);
+    }
+
+    std::string_view bytes_;
 };
 
-std::size_t whole(std::string_view bytes, std::size_t at) {
-    std::size_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-        value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+// libpng jumps back on trouble: the two functions that call it hold nothing that needs destroying.
+
+/// Everything before the pixels, and how they are wanted: samples of one or two bytes, grey or
+/// three colours, no transparency, numbers as they stand.
+bool read_header(PngReader& reader) {
+    if (setjmp(reader.back) != 0) return false;
+    png_read_info(reader.png, reader.info);
+    if (png_get_color_type(reader.png, reader.info) == PNG_COLOR_TYPE_PALETTE) {
+        png_set_palette_to_rgb(reader.png);
     }
-    return value;
+    png_set_packing(reader.png);
+    png_set_strip_alpha(reader.png);
+    png_set_interlace_handling(reader.png);
+    png_read_update_info(reader.png, reader.info);
+    return true;
 }
 
-/// Luma of a colour, by the weights of ITU-R BT.709.
+bool read_pixels(PngReader& reader, png_bytepp rows) {
+    if (setjmp(reader.back) != 0) return false;
+    png_read_image(reader.png, rows);
+    png_read_end(reader.png, nullptr);
+    return true;
+}
+
+/// Luma of a colour, by the weights of ITU-R BT.709; equal ones are that grey exactly.
 double grey_of(double red, double green, double blue) {
+    if (red == green && green == blue) return red;
     return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
 }
 
-void read_header(Png& png, std::string_view chunk, const std::string& source) {
-    if (chunk.size() != 13) throw not_a_picture(source, "a short header", "this is no PNG");
-    png.width = whole(chunk, 0);
-    png.height = whole(chunk, 4);
-    png.depth = static_cast<unsigned char>(chunk[8]);
-    png.colour = static_cast<unsigned char>(chunk[9]);
-    const bool is_known = png.colour == 0 || png.colour == 2 || png.colour == 3 ||
-                          png.colour == 4 || png.colour == 6;
-    const bool is_small = png.depth == 1 || png.depth == 2 || png.depth == 4;
-    const bool has_depth = png.depth == 8 || (png.depth == 16 && png.colour != 3) ||
-                           (is_small && (png.colour == 0 || png.colour == 3));
-    if (!is_known || !has_depth || chunk[12] != 0) {
-        throw not_a_picture(source, "another kind of PNG",
-                            "grey, colour and palette pictures that are not interlaced are read");
-    }
-    if (png.width == 0 || png.height == 0 || png.width > most_pixels / png.height) {
-        throw not_a_picture(source,
-                            std::to_string(png.width) + " x " + std::to_string(png.height),
-                            "a picture has pixels, and not too many");
-    }
-}
-
-Png read_chunks(std::string_view bytes, const std::string& source) {
-    Png png;
-    std::size_t at = 8;
-    while (true) {
-        if (at + 12 > bytes.size() || whole(bytes, at) > bytes.size() - at - 12) {
-            throw not_a_picture(source, "end of file", "the picture is cut short");
-        }
-        const std::size_t size = whole(bytes, at);
-        const std::string_view kind = bytes.substr(at + 4, 4), chunk = bytes.substr(at + 8, size);
-        if (kind == "IHDR") read_header(png, chunk, source);
-        if (kind == "IDAT") png.packed += chunk;
-        for (std::size_t i = 0; kind == "PLTE" && i + 3 <= size; i += 3) {
-            const auto byte = [&](std::size_t k) {
-                return static_cast<double>(static_cast<unsigned char>(chunk[i + k]));
-            };
-            png.palette.push_back(grey_of(byte(0), byte(1), byte(2)));
-        }
-        if (kind == "IEND") break;
-        at += size + 12;
-    }
-    if (png.width == 0) throw not_a_picture(source, "no header", "this is no PNG");
-    return png;
-}
-
-int paeth(int left, int up, int corner) {
-    const int guess = left + up - corner;
-    const int a = std::abs(guess - left), b = std::abs(guess - up), c = std::abs(guess - corner);
-    return a <= b && a <= c ? left : b <= c ? up : corner;
-}
-
-/// Takes the filters off, in place [PNG, 9.2].
-void unfilter(std::string& rows, std::size_t stride, std::size_t pixel, const std::string& source) {
-    const auto at = [&](std::size_t row, std::size_t i) -> int {
-        return static_cast<unsigned char>(rows[row * (stride + 1) + 1 + i]);
+std::vector<double> greys(const std::vector<unsigned char>& bytes, std::size_t count, int channels,
+                          int depth) {
+    const auto sample = [&](std::size_t i) -> double {
+        return depth == 16 ? bytes[2 * i] << 8 | bytes[2 * i + 1] : bytes[i];
     };
-    for (std::size_t row = 0; row * (stride + 1) < rows.size(); ++row) {
-        const unsigned char filter = static_cast<unsigned char>(rows[row * (stride + 1)]);
-        if (filter > 4) throw not_a_picture(source, "no such filter", "the pixels are damaged");
-        for (std::size_t i = 0; i < stride; ++i) {
-            const int left = i >= pixel ? at(row, i - pixel) : 0;
-            const int up = row > 0 ? at(row - 1, i) : 0;
-            const int corner = row > 0 && i >= pixel ? at(row - 1, i - pixel) : 0;
-            const int guess = filter == 1   ? left
-                              : filter == 2 ? up
-                              : filter == 3 ? (left + up) / 2
-                              : filter == 4 ? paeth(left, up, corner)
-                                            : 0;
-            rows[row * (stride + 1) + 1 + i] = static_cast<char>(at(row, i) + guess);
-        }
+    std::vector<double> grey(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        grey[i] = channels == 1 ? sample(i)
+                                : grey_of(sample(3 * i), sample(3 * i + 1), sample(3 * i + 2));
     }
-}
-
-unsigned sample_at(std::string_view row, std::size_t index, int depth) {
-    if (depth == 16) {
-        return static_cast<unsigned>(static_cast<unsigned char>(row[2 * index]) << 8 |
-                                     static_cast<unsigned char>(row[2 * index + 1]));
-    }
-    const std::size_t bit = index * static_cast<std::size_t>(depth);
-    const unsigned byte = static_cast<unsigned char>(row[bit / 8]);
-    const unsigned shift = static_cast<unsigned>(8 - depth) - static_cast<unsigned>(bit % 8);
-    return byte >> shift & ((1u << depth) - 1);
-}
-
-double pixel_at(const Png& png, std::string_view row, std::size_t i, const std::string& source) {
-    const std::size_t first = i * static_cast<std::size_t>(png.channels());
-    const auto sample = [&](std::size_t k) { return sample_at(row, first + k, png.depth); };
-    if (png.colour == 3) {
-        if (sample(0) >= png.palette.size()) {
-            throw not_a_picture(source, "colour " + std::to_string(sample(0)),
-                                "colours must stand in the palette");
-        }
-        return png.palette[sample(0)];
-    }
-    if (png.channels() < 3) return sample(0);
-    if (sample(0) == sample(1) && sample(1) == sample(2)) return sample(0);
-    return grey_of(sample(0), sample(1), sample(2));
+    return grey;
 }
 
 }  // namespace
 
 GridFile read_png(std::string_view bytes, const std::string& source) {
+    const auto refuse = [&](std::string value) {
+        return not_a_picture(source, std::move(value), "this is no whole PNG");
+    };
     if (bytes.substr(0, 8) != std::string_view("\x89PNG\r\n\x1a\n", 8)) {
-        throw not_a_picture(source, "other first bytes", "this is no PNG");
+        throw refuse("other first bytes");
     }
-    const Png png = read_chunks(bytes, source);
-    const std::size_t bits = static_cast<std::size_t>(png.channels() * png.depth);
-    const std::size_t stride = (png.width * bits + 7) / 8;
-    const std::size_t size = png.height * (stride + 1);
-    std::string rows = unpack(png.packed, size, source);
-    if (rows.size() < size) throw not_a_picture(source, "end of data", "the picture is cut short");
-    unfilter(rows, stride, std::max<std::size_t>(1, bits / 8), source);
-    std::vector<double> grey;
-    grey.reserve(png.width * png.height);
-    for (std::size_t j = 0; j < png.height; ++j) {
-        const std::string_view row = std::string_view(rows).substr(j * (stride + 1) + 1, stride);
-        for (std::size_t i = 0; i < png.width; ++i) {
-            grey.push_back(pixel_at(png, row, i, source));
-        }
+    PngReader reader(bytes);
+    if (!read_header(reader)) throw refuse(reader.trouble);
+    const std::size_t width = png_get_image_width(reader.png, reader.info);
+    const std::size_t height = png_get_image_height(reader.png, reader.info);
+    if (width > most_pixels / height) {
+        throw refuse(std::to_string(width) + " x " + std::to_string(height) + " pixels");
     }
-    return picture_grid(std::move(grey), png.width, source);
+    const std::size_t stride = png_get_rowbytes(reader.png, reader.info);
+    std::vector<unsigned char> pixels(stride * height);
+    std::vector<png_bytep> rows(height);
+    for (std::size_t j = 0; j < height; ++j) rows[j] = pixels.data() + j * stride;
+    if (!read_pixels(reader, rows.data())) throw refuse(reader.trouble);
+    return picture_grid(greys(pixels, width * height,
+                              png_get_channels(reader.png, reader.info),
+                              png_get_bit_depth(reader.png, reader.info)),
+                        width, source);
 }
 
 }  // namespace batten::grids
+
+#else
+
+namespace batten::grids {
+
+GridFile read_png(std::string_view, const std::string& source) {
+    throw not_a_picture(source, "a PNG", "this build of Batten reads no PNG: convert it to PGM");
+}
+
+}  // namespace batten::grids
+
+#endif

@@ -13,10 +13,6 @@ GridFile read_text(std::string_view bytes, const std::string& source);
 GridFile read_pgm(std::string_view bytes, const std::string& source);
 GridFile read_png(std::string_view bytes, const std::string& source);
 
-/// A zlib stream [RFC1950] [RFC1951], unpacked into at most `most` bytes. Throws `picture.format`
-/// where it is damaged or longer.
-std::string unpack(std::string_view stream, std::size_t most, const std::string& source);
-
 /// A grey picture, row after row from the top, as a grid.
 GridFile picture_grid(std::vector<double> grey, std::size_t width, const std::string& source);
 

@@ -11,7 +11,7 @@
 namespace batten {
 namespace {
 
-constexpr double together = 1e-13;  // of the domain: lines nearer than this run together
+constexpr double together = 1e-12;  // of the domain: lines nearer than this run together
 
 void require_lines(std::span<const SplineFunction> lines, Interval domain, const char* name) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
