@@ -40,3 +40,18 @@ if(BATTEN_PNG)
         message(FATAL_ERROR "libpng is missing. Run: ./setup.sh core, or configure with -DBATTEN_PNG=OFF")
     endif()
 endif()
+
+option(BATTEN_WITH_GDAL "Read GeoTIFF and other rasters as grids, through GDAL" OFF)
+if(BATTEN_WITH_GDAL)
+    find_package(GDAL)
+    if(NOT GDAL_FOUND)
+        message(FATAL_ERROR "GDAL is missing. Run: ./setup.sh gdal")
+    endif()
+    # Compiles one file of a target with GDAL's headers.
+    function(batten_use_gdal target file)
+        set_source_files_properties(${file} TARGET_DIRECTORY ${target} PROPERTIES
+            COMPILE_DEFINITIONS BATTEN_WITH_GDAL=1 SKIP_PRECOMPILE_HEADERS ON
+            INCLUDE_DIRECTORIES "$<TARGET_PROPERTY:GDAL::GDAL,INTERFACE_INCLUDE_DIRECTORIES>"
+            SKIP_UNITY_BUILD_INCLUSION ON)
+    endfunction()
+endif()

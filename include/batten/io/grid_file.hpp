@@ -22,6 +22,7 @@ enum class GridFormat {
     npy,   ///< f[x][y], two dimensions; x and y count from 0
     pgm,   ///< grey picture: x to the right, y up, both count pixels from 0
     png,   ///< the same; colours are turned into grey
+    raster,  ///< GeoTIFF and other rasters, where GDAL is built in: the first band
 };
 
 /// By the first bytes, where they tell nothing `text`.
@@ -34,7 +35,8 @@ GridFormat grid_format(const Source& source);
 /// numbers the table. Fields x (descending ones are turned round), y, f or z, sigma.
 /// Throws `file.empty`, `grid.ragged`, `grid.axis` where axes do not rise or fall, or are not
 /// finite; `grid.cell` for a cell that is no number; `grid.not-a-grid` for rows that do not form a
-/// grid; `grid.too-small`; `table.quote`; the `npy.` errors; `picture.format`.
+/// grid; `grid.too-small`; `table.quote`; the `npy.` errors; `picture.format`;
+/// `raster.not-built-in`, `raster.format`, `raster.turned`.
 GridFile parse_grid(const Source& source, GridFormat format);
 inline GridFile parse_grid(const Source& source) {
     return parse_grid(source, grid_format(source));

@@ -52,6 +52,21 @@ bool starts_with(const Source& source, std::string_view bytes) {
     return std::string_view(source.bytes).substr(0, bytes.size()) == bytes;
 }
 
+/// GeoTIFF, Erdas, Surfer, ESRI's text grid and JPEG by their first bytes; terrain models and BMP,
+/// whose bytes tell little, by their names.
+bool is_raster(const Source& source, std::string_view suffix) {
+    using namespace std::string_view_literals;
+    for (const std::string_view start : {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv,
+                                         "EHFA_HEADER_TAG"sv, "DSAA"sv, "DSBB"sv, "ncols"sv,
+                                         "NCOLS"sv, "\xff\xd8\xff"sv}) {
+        if (starts_with(source, start)) return true;
+    }
+    for (const std::string_view name : {"tif", "tiff", "hgt", "dem", "bmp"}) {
+        if (suffix == name) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 GridFormat grid_format(const Source& source) {
@@ -61,6 +76,7 @@ GridFormat grid_format(const Source& source) {
         return GridFormat::pgm;
     }
     if (suffix == "png" || starts_with(source, "\x89PNG")) return GridFormat::png;
+    if (is_raster(source, suffix)) return GridFormat::raster;
     return GridFormat::text;
 }
 
@@ -73,6 +89,7 @@ GridFile parse_grid(const Source& source, GridFormat format) {
         case GridFormat::npy: file = grid_of_npy(source); break;
         case GridFormat::pgm: file = grids::read_pgm(source.bytes, source.name); break;
         case GridFormat::png: file = grids::read_png(source.bytes, source.name); break;
+        case GridFormat::raster: file = grids::read_raster(source.bytes, source.name); break;
         case GridFormat::text: file = grids::read_text(source.bytes, source.name); break;
     }
     return checked(std::move(file), source.name);

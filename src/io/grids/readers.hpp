@@ -12,6 +12,8 @@ namespace batten::grids {
 GridFile read_text(std::string_view bytes, const std::string& source);
 GridFile read_pgm(std::string_view bytes, const std::string& source);
 GridFile read_png(std::string_view bytes, const std::string& source);
+/// By GDAL, where it is built in.
+GridFile read_raster(std::string_view bytes, const std::string& source);
 
 /// A grey picture, row after row from the top, as a grid.
 GridFile picture_grid(std::vector<double> grey, std::size_t width, const std::string& source);
