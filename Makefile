@@ -33,6 +33,8 @@ papers: ## make the papers' figures and tables again, into papers/
 	@$(call compile,release,papers)
 	@build/release/papers/papers_harada_nakamae papers/harada-nakamae
 	@build/release/papers/papers_hatano_curves cases papers/hatano
+	@build/release/papers/papers_hatano_surfaces cases papers/hatano
+	@build/release/papers/papers_hatano_curved_lines cases papers/hatano
 	@build/release/papers/papers_inoue_shibata papers/inoue-shibata
 	@build/release/papers/papers_nakajima papers/nakajima
 	@build/release/papers/papers_inoue_shibata_tables

@@ -4,13 +4,14 @@ set -euo pipefail
 
 declare -A packages=(
     [core]="g++ cmake ninja-build make libeigen3-dev libboost-dev libcli11-dev libfmt-dev
-            nlohmann-json3-dev"
+            nlohmann-json3-dev libpng-dev"
     [test]="libgtest-dev librapidcheck-dev python3 python3-ezdxf pkg-config"
     [python]="python3-dev python3-numpy pybind11-dev"
     [package]="dpkg-dev file"
     [bench]="libbenchmark-dev libgsl-dev libspiro-dev python3-numpy python3-scipy"
     [clang]="clang libclang-rt-dev"
     [wasm]="emscripten"
+    [gdal]="libgdal-dev"
     [draw]="gnuplot-nox librsvg2-bin"
     [reference]="python3-numpy python3-scipy"
     [develop]="ccache clang-format"
@@ -23,11 +24,12 @@ declare -A purposes=(
     [bench]="the benchmark and its peers (make bench)"
     [clang]="the clang build and the fuzzers (make clang, make fuzz)"
     [wasm]="the core in WebAssembly (make wasm)"
+    [gdal]="GeoTIFF and other rasters as grids (-DBATTEN_WITH_GDAL=ON)"
     [draw]="charts as PNG and PDF, PNG copies of pictures"
     [reference]="the programs in tools/ that remake reference data"
     [develop]="faster rebuilds, one layout of the sources"
 )
-order="core test python package bench clang wasm draw reference develop"
+order="core test python package bench clang wasm gdal draw reference develop"
 
 usage() {
     local each

@@ -52,4 +52,14 @@ run batten arcs $out/car-side.json --tolerance 0.2 --feed 1200 -o $out/car-side.
 say "5. The titanium data, a property against temperature: as many knots as the data carry."
 run batten fit cases/fits/titanium.csv -o $out/titanium.json --draw $out/titanium.svg
 
+say "6. A noisy dome on 150 x 100 nodes: a surface, its level line, the curvature of that."
+say "   The level is a circle of radius 0.3: length 1.88496, curvature 3.33333."
+python3 tools/make_dome.py > $out/dome.csv
+run batten fit-surface $out/dome.csv --sigma 0.002 --degree 5 -o $out/dome.json \
+    --draw $out/dome.svg
+run batten contour $out/dome.json --levels 0.835270211 -o $out/dome-level.json \
+    --draw $out/dome-level.svg
+run batten measure $out/dome-level.json -o $out/dome-level-measures.json \
+    --draw $out/dome-level-curvature.svg
+
 say "Pictures: $out/*.svg"

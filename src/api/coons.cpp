@@ -85,16 +85,15 @@ Rows samples(const CoonsPatch& patch, int count) {
     return rows;
 }
 
-/// A line of the surface at one v, from u = 0 to 1; with a view only where it is dark.
-std::vector<Points> runs_along(const CoonsPatch& patch, double v,
-                               const std::optional<ZebraView>& view) {
+/// The dark stripes along one v, from u = 0 to 1.
+std::vector<Points> stripes_along(const CoonsPatch& patch, double v, const ZebraView& view) {
     constexpr int steps = 600;
     std::vector<Points> runs;
     bool is_drawing = false;
     for (int i = 0; i <= steps; ++i) {
         const SurfaceJet jet = patch.jet(double(i) / steps, v);
-        const std::optional<double> angle = view ? zebra_angle(jet, *view) : 0.0;
-        const bool draws = angle && (!view || is_dark(*angle, view->stripes));
+        const std::optional<double> angle = zebra_angle(jet, view);
+        const bool draws = angle && is_dark(*angle, view.stripes);
         if (draws && !is_drawing) runs.emplace_back(0, 3);
         // Ends exactly, and so many between that no bend of a sensible patch is lost.
         const bool ends = draws != is_drawing || i == steps;
@@ -104,16 +103,45 @@ std::vector<Points> runs_along(const CoonsPatch& patch, double v,
     return runs;
 }
 
-Drawing picture(const CoonsPatch& patch, const std::optional<ZebraView>& view) {
-    const int lines = view ? 160 : 16;
-    std::vector<Points> runs, outline;
+void add_stripes(Drawing& drawing, const CoonsPatch& patch, const ZebraView& view) {
+    constexpr int lines = 160;
+    std::vector<Points> runs;
     for (int j = 0; j <= lines; ++j) {
-        for (Points& run : runs_along(patch, double(j) / lines, view)) {
+        for (Points& run : stripes_along(patch, double(j) / lines, view)) {
             if (run.size() > 1) runs.push_back(std::move(run));
         }
     }
-    Points border(0, 3);
+    if (!runs.empty()) {
+        drawing.add(PolylineLayer{runs, {}, {Tone::ink, Dash::solid, 2.2}});
+    }
+}
+
+/// The patch as a lit sheet with lines of equal u and of equal v.
+SheetLayer sheet_of(const CoonsPatch& patch) {
+    constexpr int cells = 48, cells_a_line = 6;
+    SheetLayer sheet;
+    sheet.nodes = Grid(cells + 1, cells + 1, 3);
+    for (int i = 0; i <= cells; ++i) {
+        for (int j = 0; j <= cells; ++j) {
+            const auto point = patch.jet(double(i) / cells, double(j) / cells).point;
+            for (int k = 0; k < 3; ++k) {
+                sheet.nodes(static_cast<std::size_t>(i), static_cast<std::size_t>(j), k) =
+                    point[static_cast<std::size_t>(k)];
+            }
+        }
+    }
+    for (int i = 0; i <= cells; i += cells_a_line) {
+        const double at = i;
+        const LineStyle line{Tone::blue, Dash::solid, i % cells == 0 ? 1.4 : 0.6};
+        sheet.lines.push_back({Points({at, 0, at, cells}, 2), line});
+        sheet.lines.push_back({Points({0, at, cells, at}, 2), line});
+    }
+    return sheet;
+}
+
+Points border_of(const CoonsPatch& patch) {
     constexpr int steps = 100;
+    Points border(0, 3);
     for (int side = 0; side < 4; ++side) {
         for (int i = 0; i <= steps; ++i) {
             const double x = double(i) / steps;
@@ -122,12 +150,14 @@ Drawing picture(const CoonsPatch& patch, const std::optional<ZebraView>& view) {
             border.push_back(patch.jet(u, v).point);
         }
     }
+    return border;
+}
+
+Drawing picture(const CoonsPatch& patch, const std::optional<ZebraView>& view) {
     Drawing drawing;
-    if (!runs.empty()) {
-        drawing.add(PolylineLayer{runs, {}, {view ? Tone::ink : Tone::grey, Dash::solid,
-                                             view ? 2.2 : 0.8}});
-    }
-    drawing.add(PolylineLayer{{border}, {}, {Tone::blue, Dash::solid, 1.4}});
+    if (!view) return drawing.add(sheet_of(patch));
+    add_stripes(drawing, patch, *view);
+    drawing.add(PolylineLayer{{border_of(patch)}, {}, {Tone::blue, Dash::solid, 1.4}});
     return drawing;
 }
 

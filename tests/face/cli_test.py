@@ -7,6 +7,7 @@ import json
 import math
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -718,6 +719,84 @@ class BadInput(Folder):
                     self.assertNotIn("nan", text)
                     self.assertNotIn("inf", text.replace("inflection", ""))
             self.assertIn(done.returncode, (0, 2), done.stderr)
+
+
+class Surfaces(Folder):
+    def grid(self):
+        rows = ["," + ",".join(str(0.1 * j) for j in range(11))]
+        for i in range(13):
+            cells = [str((0.1 * i - 0.6) ** 2 + (0.1 * j - 0.5) ** 2) for j in range(11)]
+            rows.append(",".join([str(0.1 * i)] + cells))
+        return self.file("grid.csv", "\n".join(rows) + "\n")
+
+    def test_a_grid_becomes_a_surface_and_its_level_line_a_curve(self):
+        report = self.report("fit-surface", self.grid(), "--sigma", "0.01", "-o",
+                             self.path("s.json"), "--draw", self.path("s.svg"))
+        self.assertEqual(report["report"]["intervals"], [1, 1])
+        self.assertEqual(report["report"]["samples"], 143)
+        self.good("contour", self.path("s.json"), "--levels", "0.09", "-o", self.path("c.json"))
+        circle = self.report("measure", self.path("c.json"))["report"]
+        self.assertAlmostEqual(circle["length"], 0.6 * math.pi, places=5)
+        for form in ("csv", "npy", "obj", "ply", "stl"):
+            self.good("fit-surface", self.grid(), "-o", self.path("s." + form))
+        for form in ("csv", "svg", "dxf"):
+            self.good("contour", self.path("s.json"), "-o", self.path("c." + form))
+
+    def test_pictures_of_surfaces_have_their_panels(self):
+        self.good("fit-surface", self.grid(), "--sigma", "0.01", "-o", self.path("s.json"),
+                  "--draw", self.path("s.svg"))
+        self.good("contour", self.path("s.json"), "--levels", "0.1,0.2", "-o",
+                  self.path("c.csv"), "--draw", self.path("c.svg"))
+        for name, captions in (("s.svg", ("data and knot lines", "S, lines of equal height",
+                                          "residuals", ">S<", "residual / σ")),
+                               ("c.svg", ("lines of equal height", "the surface", ">0.1<"))):
+            with open(self.path(name), encoding="utf-8") as stream:
+                text = stream.read()
+            for caption in captions:
+                self.assertIn(caption, text)
+
+    @unittest.skipUnless(shutil.which("gnuplot"), "needs gnuplot")
+    def test_pictures_of_surfaces_are_png_by_gnuplot(self):
+        self.good("fit-surface", self.grid(), "--sigma", "0.01", "--draw", self.path("s.png"))
+        with open(self.path("s.png"), "rb") as stream:
+            self.assertEqual(stream.read(4), b"\x89PNG")
+
+    def test_noisy_heights_give_the_curvature_of_a_level_circle_to_a_hundredth(self):
+        program = os.path.join(os.path.abspath(sys.argv[2]), "tools", "make_dome.py")
+        dome = self.file("dome.csv", subprocess.run([sys.executable, program], check=True,
+                                                    capture_output=True, text=True).stdout)
+        self.good("fit-surface", dome, "--sigma", "0.002", "--degree", "5", "-o",
+                  self.path("s.json"))
+        self.good("contour", self.path("s.json"), "--levels", "0.835270211", "-o",
+                  self.path("c.json"))
+        self.good("evaluate", self.path("c.json"), "--count", "721", "--derivatives", "2", "-o",
+                  self.path("d.csv"))
+        with open(self.path("d.csv"), encoding="utf-8") as stream:
+            rows = [[float(cell) for cell in line.split(",")] for line in list(stream)[1:]]
+        for _, _, _, dx, dy, ddx, ddy in rows:
+            bend = (dx * ddy - dy * ddx) / math.hypot(dx, dy) ** 3
+            self.assertAlmostEqual(0.3 * bend, 1, delta=0.01)
+
+    def test_a_job_passes_surfaces_on(self):
+        rows = [[(0.1 * i - 0.6) ** 2 + (0.1 * j - 0.5) ** 2 for j in range(11)] for i in range(13)]
+        job = [{"operation": "fit-surface", "input": rows, "name": "bowl",
+                "options": {"sigma": 0.01, "x": [0.1 * i for i in range(13)],
+                            "y": [0.1 * j for j in range(11)]}},
+               {"operation": "contour", "input": "bowl", "options": {"levels": [0.09]},
+                "output": self.path("c.json")}]
+        self.good("run", self.file("job.json", json.dumps(job)))
+        circle = self.report("measure", self.path("c.json"))["report"]
+        self.assertAlmostEqual(circle["length"], 0.6 * math.pi, places=5)
+        job[1]["operation"] = "measure"
+        job[1].pop("options")
+        job[0]["input"][2].pop()
+        self.refused("grid.ragged", "run", self.file("job.json", json.dumps(job)))
+
+    def test_what_is_no_grid_is_refused(self):
+        bad = self.file("bad.csv", "x,y,f\n0,0,1\n0,1,1\n1,0,1\n")
+        self.refused("grid.not-a-grid", "fit-surface", bad)
+        self.refused("picture.format", "fit-surface", self.file("a.png", "text"))
+        self.refused("surface.format", "contour", self.grid())
 
 
 if __name__ == "__main__":

@@ -80,7 +80,8 @@ TEST(Gnuplot, IsNotAskedForWhatItCannotDraw) {
     EXPECT_EQ(code(CombLayer{near_circle(1)}), "drawing.gnuplot");
     EXPECT_EQ(code(ControlPolygonLayer{near_circle(1)}), "drawing.gnuplot");
     EXPECT_EQ(code(ArrowsLayer{Points({0, 0}, 2), Points({1, 1}, 2)}), "drawing.gnuplot");
-    EXPECT_EQ(code(CurveLayer{helix()}), "drawing.gnuplot");
+    EXPECT_EQ(code(TextLayer{{0, 0, 1}, "text"}), "drawing.gnuplot");
+    EXPECT_EQ(code(CurveLayer{helix()}), "none");
     EXPECT_EQ(code(CurveLayer{near_circle(1)}), "none");
     EXPECT_EQ(code(TicksLayer{near_circle(1), {0}}), "none");
 }

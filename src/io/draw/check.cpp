@@ -30,10 +30,12 @@ struct Inspector {
     void inspect_dim(int found) {
         require_plane_or_space(found, place);
         const bool is_chart = panel.kind == PanelKind::chart;
-        if ((is_chart && found == 3) || (dim && *dim != found)) {
+        const bool is_relief = panel.kind == PanelKind::relief;
+        if ((is_chart && found == 3) || (is_relief && found == 2) || (dim && *dim != found)) {
             throw Error("drawing.dimension", place, std::to_string(found) + " coordinates",
-                        is_chart ? "a chart is drawn in 2 coordinates"
-                                 : "all layers of a panel must have as many coordinates");
+                        is_chart    ? "a chart is drawn in 2 coordinates"
+                        : is_relief ? "a relief is drawn in 3 coordinates"
+                                    : "all layers of a panel must have as many coordinates");
         }
         dim = found;
     }
@@ -116,6 +118,58 @@ struct Inspector {
     void operator()(const TextLayer& layer) {
         inspect(PointsView(layer.at.data(), 1, static_cast<int>(layer.at.size())));
     }
+
+    [[noreturn]] void refuse(const char* what, std::string found, const char* rule) const {
+        throw Error("drawing.option", place + what, std::move(found), rule);
+    }
+
+    void operator()(const MapLayer& layer) {
+        require_linear();
+        inspect_dim(2);
+        const Grid& z = layer.values;
+        if (layer.x.size() < 2 || layer.y.size() < 2 || z.nu() != layer.x.size() ||
+            z.nv() != layer.y.size() || z.dim() != 1) {
+            refuse(" map", std::to_string(z.nu()) + " x " + std::to_string(z.nv()),
+                   "two places or more a side, and as many numbers as nodes");
+        }
+        for (const auto* places : {&layer.x, &layer.y}) {
+            require_finite(PointsView(places->data(), places->size(), 1));
+            for (std::size_t i = 1; i < places->size(); ++i) {
+                if (!((*places)[i] > (*places)[i - 1])) {
+                    refuse(" map", format_number((*places)[i]), "places must rise");
+                }
+            }
+        }
+        require_finite(PointsView(z.view().values().data(), z.nu() * z.nv(), 1));
+        if (layer.range && !(std::isfinite(layer.range->lo) && std::isfinite(layer.range->hi) &&
+                             layer.range->lo < layer.range->hi)) {
+            refuse(" range", format_number(layer.range->lo) + "," + format_number(layer.range->hi),
+                   "must be finite and rising");
+        }
+        if (z.missing() == z.nu() * z.nv()) refuse(" map", "no nodes", "a node must be there");
+    }
+
+    void operator()(const SheetLayer& layer) {
+        const Grid& nodes = layer.nodes;
+        if (nodes.nu() < 2 || nodes.nv() < 2 || nodes.dim() != 3 ||
+            nodes.missing() == nodes.nu() * nodes.nv()) {
+            refuse(" sheet", std::to_string(nodes.nu()) + " x " + std::to_string(nodes.nv()),
+                   "two nodes of 3 coordinates or more a side, one of them there");
+        }
+        inspect(PointsView(nodes.view().values().data(), nodes.nu() * nodes.nv(), 3));
+        inspect(layer.dots);
+        for (const SheetLine& line : layer.lines) {
+            for (std::size_t i = 0; i < line.places.size(); ++i) {
+                const double u = line.places(i, 0), v = line.places(i, 1);
+                const bool is_on = u >= 0 && u <= static_cast<double>(nodes.nu() - 1) && v >= 0 &&
+                                   v <= static_cast<double>(nodes.nv() - 1);
+                if (!is_on) {
+                    refuse(" line", format_number(u) + "," + format_number(v),
+                           "a line upon a sheet must stay on it");
+                }
+            }
+        }
+    }
 };
 
 void require_range(const Panel& panel, const std::string& place) {
@@ -159,9 +213,9 @@ void require_drawable(const Drawing& drawing) {
         const std::string place = "panel " + std::to_string(i);
         require_range(panel, place);
         Inspector inspector{panel, place};
-        if (inspector.has_log() && panel.kind == PanelKind::geometry) {
+        if (inspector.has_log() && panel.kind != PanelKind::chart) {
             throw Error("drawing.option", place, "a logarithmic axis",
-                        "geometry has equal units on all axes");
+                        "is for charts only");
         }
         for (std::size_t j = 0; j < panel.layers.size(); ++j) {
             inspector.place = place + " layer " + std::to_string(j);

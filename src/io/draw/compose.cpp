@@ -1,6 +1,7 @@
 #include "io/draw/compose.hpp"
 
 #include "io/draw/axes/axes.hpp"
+#include "io/draw/layers/map.hpp"
 #include "io/draw/layers/paint.hpp"
 #include "io/draw/layers/swatch.hpp"
 #include "io/draw/layout.hpp"
@@ -34,10 +35,14 @@ void draw_panel(Scene& scene, const ReadyPanel& panel, const Place& place) {
         y += caption_leading;
     }
     const bool has_axes = panel.panel->axes == AxesStyle::shown;
-    const Box room = panel.box.dim == 3 ? roomy(panel.box) : panel.box;
-    if (has_axes && panel.box.dim == 3) draw_space_axes(scene, place.frame, room);
+    const Box room = room_of(panel);
+    if (has_axes && panel.box.dim == 3) draw_space_axes(scene, *panel.panel, place.frame, room);
     if (has_axes && panel.box.dim == 2) draw_plane_axes(scene, place.axes, place.frame);
     draw_layers(scene, panel, place.frame, room);
+    const Rect& area = place.frame.area;
+    if (const MapLayer* map = map_of(panel)) {
+        draw_bar(scene, *map, {area.left, place.bar_top}, area.width);
+    }
 }
 
 std::string description_of(const Drawing& drawing) {

@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "io/draw/axes/ticks.hpp"
+#include "io/draw/layers/map.hpp"
 #include "io/draw/scene/text_layout.hpp"
 #include "io/draw/scene/theme.hpp"
+#include "io/draw/shapes/relief.hpp"
 
 namespace batten::drawing {
 namespace {
@@ -77,8 +79,9 @@ double natural_height(const ReadyPanel& panel, double width, bool is_alone) {
         return std::max(lowest_panel, width * (is_alone ? chart_alone : chart_beside));
     }
     const double rim = 2 * panel.padding + (panel.box.dim == 3 ? 2 * numbers_height : 0);
-    const Box box = panel.box.dim == 3 ? roomy(panel.box) : panel.box;
-    const double wanted = aspect(box) * (width - rim) + rim;
+    const bool is_relief = panel.panel->kind == PanelKind::relief;
+    const Box box = room_of(panel);
+    const double wanted = (is_relief ? relief_aspect(box) : aspect(box)) * (width - rim) + rim;
     const double lowest = std::max(lowest_panel, flattest * width);
     return std::clamp(wanted, lowest, width * (is_alone ? steepest_alone : steepest_beside));
 }
@@ -96,10 +99,12 @@ bool has_axes(const ReadyPanel& panel) {
 Rims rims_of(const ReadyPanel& panel, const Place& place) {
     Rims rims{caption_leading * static_cast<double>(place.caption.size()), 0};
     if (!place.caption.empty()) rims.top += 4;
-    if (!has_axes(panel)) return rims;
-    if (place.axes.has_y_name()) rims.top += name_height;
-    if (place.axes.has_x_numbers) rims.bottom += numbers_height;
-    if (place.axes.has_x_name()) rims.bottom += name_height;
+    if (has_axes(panel)) {
+        if (place.axes.has_y_name()) rims.top += name_height;
+        if (place.axes.has_x_numbers) rims.bottom += numbers_height;
+        if (place.axes.has_x_name()) rims.bottom += name_height;
+    }
+    if (map_of(panel)) rims.bottom += bar_room;
     return rims;
 }
 
@@ -133,10 +138,26 @@ Columns columns_of(const Drawing& drawing, const std::vector<ReadyPanel>& panels
 
 }  // namespace
 
+const MapLayer* map_of(const ReadyPanel& panel) {
+    for (const ReadyLayer& layer : panel.layers) {
+        const auto* map = std::get_if<MapLayer>(layer.layer);
+        if (map && !map->bar.empty()) return map;
+    }
+    return nullptr;
+}
+
+Box room_of(const ReadyPanel& panel) {
+    if (panel.box.dim != 3) return panel.box;
+    return panel.panel->kind == PanelKind::relief ? relief_room(panel.box) : roomy(panel.box);
+}
+
 Frame frame_of(const ReadyPanel& panel, Rect area) {
     const bool is_bare = panel.panel->axes == AxesStyle::hidden;
     if (panel.box.dim == 3) {
-        return space_frame(roomy(panel.box), area, is_bare ? margin : 2 * numbers_height);
+        const double padding = is_bare ? margin : 2 * numbers_height;
+        const Box room = room_of(panel);
+        return panel.panel->kind == PanelKind::relief ? relief_frame(room, area, padding)
+                                                      : space_frame(room, area, padding);
     }
     if (panel.panel->kind == PanelKind::chart) return chart_frame(panel.box, area, panel.is_log);
     return plane_frame(panel.box, area, panel.padding);
@@ -168,6 +189,7 @@ Layout layout_of(const Drawing& drawing, const std::vector<ReadyPanel>& panels) 
         }
         for (std::size_t i = first; i < last; ++i) {
             Place& place = layout.places[i];
+            place.bar_top = y + rims.top + height + rims_of(panels[i], place).bottom - bar_room + 14;
             place.caption_y = y + caption_size;
             place.frame = frame_of(panels[i], {columns.left(i - first), y + rims.top,
                                                columns.width, height});

@@ -14,6 +14,7 @@ struct Place {
     PlaneAxes axes;
     std::vector<std::string> caption;
     double caption_y = 0;  ///< the base line of its first line
+    double bar_top = 0;    ///< where the colour bar begins, if there is one
 };
 
 /// A swatch and its text in the legend; `at` is the left end of the text's base line.
@@ -37,6 +38,12 @@ inline constexpr double title_leading = 22;
 inline constexpr double subtitle_leading = 17;
 inline constexpr double caption_leading = 18;
 inline constexpr double swatch_width = 22;
+
+/// The first map of a panel that names its colour bar, or null.
+const MapLayer* map_of(const ReadyPanel& panel);
+
+/// The box of a panel as it is drawn: in space with air around.
+Box room_of(const ReadyPanel& panel);
 
 /// How `panel` is seen when its area is `area`.
 Frame frame_of(const ReadyPanel& panel, Rect area);

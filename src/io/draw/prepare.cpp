@@ -76,6 +76,20 @@ struct Preparation {
         box.add(layer.at);
         pad(26);
     }
+    void operator()(const MapLayer& layer) {
+        box.add(std::array{layer.x.front(), layer.y.front()});
+        box.add(std::array{layer.x.back(), layer.y.back()});
+    }
+    void operator()(const SheetLayer& layer) {
+        ready.tone = layer.tone;
+        const Grid& nodes = layer.nodes;
+        for (std::size_t i = 0; i < nodes.nu(); ++i) {
+            for (std::size_t j = 0; j < nodes.nv(); ++j) {
+                if (nodes.has(i, j)) box.add(std::array{nodes(i, j, 0), nodes(i, j, 1), nodes(i, j, 2)});
+            }
+        }
+        box.add(layer.dots);
+    }
 };
 
 std::vector<ReadyLayer> ready_layers(ReadyPanel& ready, Toning& toning) {

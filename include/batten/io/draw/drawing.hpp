@@ -10,8 +10,11 @@
 
 namespace batten {
 
-/// A plane or space figure with equal units along all axes, or a chart of y against x.
-enum class PanelKind { geometry, chart };
+enum class PanelKind {
+    geometry,  ///< a plane or space figure with equal units along all axes
+    chart,     ///< y against x, each axis with its own unit
+    relief,    ///< heights z over x and y in space, each axis with its own unit
+};
 
 enum class AxisScale { linear, log10 };
 
@@ -26,6 +29,7 @@ struct Panel {
     PanelKind kind = PanelKind::geometry;
     std::string x_label;
     std::string y_label;
+    std::string z_label;  ///< in space, where names not given are x, y and z
     AxisScale x_scale = AxisScale::linear;  ///< log10: charts only, not for curves and arrows
     AxisScale y_scale = AxisScale::linear;
     /// The part to show (in the plane); what lies outside is cut off. Without it everything is

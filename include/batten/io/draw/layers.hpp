@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "batten/base/points.hpp"
+#include "batten/io/draw/styles.hpp"
+#include "batten/io/draw/surface_layers.hpp"
 #include "batten/shape/curve.hpp"
 
 /// What a picture is made of. Coordinates are data units, in the plane or in space; lengths that
@@ -14,24 +16,13 @@
 /// the legend; the same name has the same colour in every panel.
 namespace batten {
 
-/// The colours of the one theme, told apart by colour-blind readers too.
-enum class Tone { ink, blue, accent, teal, ochre, violet, grey };
-
-enum class Dash { solid, dashed, dotted };
-
-/// Without a tone, curves and polylines take the tones from ink to violet in turn.
-struct LineStyle {
-    std::optional<Tone> tone = {};
-    Dash dash = Dash::solid;
-    double width = 1.7;  ///< pixels
-};
-
 /// A curve: exact Bezier pieces where its degree is 3 or less, else chords that stay within
 /// 2e-4 of its extent.
 struct CurveLayer {
     Curve curve;
     std::string name = {};
     LineStyle line = {};
+    std::string label = {};  ///< written upon the curve where that is long enough and there is room
 };
 
 /// Straight lines through the points of each run.
@@ -39,6 +30,7 @@ struct PolylineLayer {
     std::vector<Points> runs;
     std::string name = {};
     LineStyle line = {};
+    std::string label = {};  ///< written upon each run that is long enough, where there is room
 };
 
 enum class Marker { open, closed };
@@ -110,6 +102,7 @@ struct TextLayer {
 };
 
 using Layer = std::variant<CurveLayer, PolylineLayer, PointsLayer, RegionsLayer,
-                           ControlPolygonLayer, CombLayer, ArrowsLayer, TicksLayer, TextLayer>;
+                           ControlPolygonLayer, CombLayer, ArrowsLayer, TicksLayer, TextLayer,
+                           MapLayer, SheetLayer>;
 
 }  // namespace batten

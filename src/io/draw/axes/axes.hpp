@@ -29,6 +29,6 @@ void draw_plane_axes(Scene& scene, const PlaneAxes& axes, const Frame& frame);
 
 /// The three back walls of `room` with their grid, numbers along the outer edges, and the names of
 /// the axes.
-void draw_space_axes(Scene& scene, const Frame& frame, const Box& room);
+void draw_space_axes(Scene& scene, const Panel& panel, const Frame& frame, const Box& room);
 
 }  // namespace batten::drawing

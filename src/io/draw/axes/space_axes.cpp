@@ -7,8 +7,17 @@
 namespace batten::drawing {
 namespace {
 
-constexpr double spacing = 46;  ///< least distance of grid lines, in pixels
-constexpr std::array<const char*, 3> names{"x", "y", "z"};
+/// Least distances of grid lines, in pixels.
+constexpr double spacing = 46;
+constexpr double relief_z_spacing = 26;
+
+std::array<std::string, 3> names_of(const Panel& panel) {
+    std::array<std::string, 3> names{"x", "y", "z"};
+    if (!panel.x_label.empty()) names[0] = panel.x_label;
+    if (!panel.y_label.empty()) names[1] = panel.y_label;
+    if (!panel.z_label.empty()) names[2] = panel.z_label;
+    return names;
+}
 
 /// The ends of the box that one sees the inside of: x low, y high, z low.
 double back(const Box& box, std::size_t k) { return k == 1 ? box.sides[k].hi : box.sides[k].lo; }
@@ -48,13 +57,16 @@ constexpr std::array<EdgeStyle, 3> edge_styles{
 
 }  // namespace
 
-void draw_space_axes(Scene& scene, const Frame& frame, const Box& box) {
+void draw_space_axes(Scene& scene, const Panel& panel, const Frame& frame, const Box& box) {
+    const std::array<std::string, 3> names = names_of(panel);
     Path grid, walls;
     std::string notes;
     for (std::size_t k = 0; k < 3; ++k) {
         const int axis = static_cast<int>(k);
         const Interval side = box.sides[k];
-        const AxisTicks ticks = linear_ticks(side, spacing * frame.units_per_pixel(axis));
+        const bool is_low = k == 2 && panel.kind == PanelKind::relief;
+        const double least = is_low ? relief_z_spacing : spacing;
+        const AxisTicks ticks = linear_ticks(side, least * frame.units_per_pixel(axis));
         const EdgeStyle& style = edge_styles[k];
         for (const Tick& tick : ticks.ticks) {
             add_lines(grid, frame, box, k, tick.at);
@@ -66,7 +78,7 @@ void draw_space_axes(Scene& scene, const Frame& frame, const Box& box) {
         scene.add(TextShape{frame.at(edge(box, k, name_at)) + style.name_offset, names[k],
                             label_size, style.anchor, ink_color, Weight::bold});
         if (ticks.note.empty()) continue;
-        notes += (notes.empty() ? "" : ", ") + std::string(names[k]) + ": " + ticks.note;
+        notes += (notes.empty() ? "" : ", ") + names[k] + ": " + ticks.note;
     }
     const Pixel corner{frame.area.left, frame.area.bottom() - 4};
     scene.add(TextShape{corner, notes, label_size, Anchor::start, text_color});

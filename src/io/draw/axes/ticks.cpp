@@ -137,8 +137,10 @@ double power_of_ten(int exponent) {
 AxisTicks linear_ticks(Interval shown, double least_step) {
     const Decimal step = round_step(least_step);
     const double width = step.value();
-    const long long first = static_cast<long long>(std::ceil(shown.lo / width));
-    const long long last = static_cast<long long>(std::floor(shown.hi / width));
+    // A number at the very end is not lost to rounding.
+    const double slack = 1e-9 * (0.5 * shown.hi / width - 0.5 * shown.lo / width);
+    const long long first = static_cast<long long>(std::ceil(shown.lo / width - slack));
+    const long long last = static_cast<long long>(std::floor(shown.hi / width + slack));
     AxisTicks axis{{}, {}, width};
     if (first > last) return axis;
     const Shortening away = shortening_of({first * step.digits, step.exponent},

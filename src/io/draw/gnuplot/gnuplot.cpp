@@ -6,7 +6,9 @@
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
+#include "io/draw/layers/map.hpp"
 #include "io/draw/prepare.hpp"
+#include "io/draw/scene/ramp.hpp"
 #include "io/draw/scene/theme.hpp"
 
 namespace batten {
@@ -15,6 +17,7 @@ namespace {
 using namespace drawing;
 
 constexpr int chords_a_bezier = 16;
+constexpr std::size_t most_cells = 120;  ///< of a map, in each direction
 
 /// In gnuplot's double quotes; only names and captions of people come here.
 std::string quoted(const std::string& text) {
@@ -29,7 +32,9 @@ std::string quoted(const std::string& text) {
 std::string rows_of(const Points& run) {
     std::string rows;
     for (std::size_t i = 0; i < run.size(); ++i) {
-        rows += format_number(run(i, 0)) + ' ' + format_number(run(i, 1)) + '\n';
+        for (int k = 0; k < run.dim(); ++k) {
+            rows += format_number(run(i, k)) + (k + 1 < run.dim() ? ' ' : '\n');
+        }
     }
     return rows + '\n';
 }
@@ -38,15 +43,16 @@ std::string rows_of(const Points& run) {
 std::string rows_of(const Trace& trace) {
     std::string rows;
     for (std::size_t i = 0; i < trace.beziers.size(); i += 4) {
-        Points run(0, 2);
+        const int dim = trace.beziers.dim();
+        Points run(0, dim);
         for (int k = 0; k <= chords_a_bezier; ++k) {
             const double t = k / double{chords_a_bezier}, s = 1 - t;
             const double w[] = {s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
-            double at[2] = {0, 0};
+            double at[3] = {0, 0, 0};
             for (std::size_t j = 0; j < 4; ++j) {
-                for (int c = 0; c < 2; ++c) at[c] += w[j] * trace.beziers(i + j, c);
+                for (int c = 0; c < dim; ++c) at[c] += w[j] * trace.beziers(i + j, c);
             }
-            run.push_back(at);
+            run.push_back(std::span(at, static_cast<std::size_t>(dim)));
         }
         rows += rows_of(run);
     }
@@ -106,6 +112,34 @@ struct Plotter {
                 "using 1:2:3 with labels left offset 0.5,0.5 " + std::string("tc rgb \"") +
                     std::string(color_of(ready.tone)) + '"'};
     }
+    Plot operator()(const MapLayer& layer) const {
+        std::string rows;
+        for (const MapCell& cell : cells_of(layer, most_cells, most_cells)) {
+            const double x = 0.5 * cell.x.lo + 0.5 * cell.x.hi;
+            const double y = 0.5 * cell.y.lo + 0.5 * cell.y.hi;
+            for (const double number : {x, y, cell.x.lo, cell.x.hi, cell.y.lo, cell.y.hi}) {
+                rows += format_number(number) + ' ';
+            }
+            rows += format_number(cell.value) + '\n';
+        }
+        return {rows + '\n', "using 1:2:3:4:5:6:7 with boxxyerror fs solid noborder lc palette"};
+    }
+    Plot operator()(const SheetLayer& layer) const {
+        const Grid& nodes = layer.nodes;
+        std::string rows;
+        for (std::size_t i = 0; i < nodes.nu(); ++i) {
+            for (std::size_t j = 0; j < nodes.nv(); ++j) {
+                for (int k = 0; k < 3; ++k) {
+                    rows += (nodes.has(i, j) ? format_number(nodes(i, j, k)) : "NaN") + ' ';
+                }
+                rows += '\n';
+            }
+            rows += '\n';
+        }
+        if (layer.style == SheetStyle::wire) return {rows + '\n', "with lines lw 0.6 " + color()};
+        const std::string fill = "fc rgb \"" + std::string(shade_color(layer.tone, shade_classes / 2)) + '"';
+        return {rows + '\n', "with pm3d " + fill};
+    }
     Plot operator()(const ControlPolygonLayer&) const { return refuse("a control polygon"); }
     Plot operator()(const CombLayer&) const { return refuse("a comb"); }
     Plot operator()(const ArrowsLayer&) const { return refuse("arrows"); }
@@ -120,20 +154,55 @@ std::string range_of(const char* axis, Interval side, bool is_log) {
     return text + "]\n";
 }
 
+/// The colours of a map and their bar, or neither.
+std::string palette_of(const ReadyPanel& ready) {
+    for (const ReadyLayer& layer : ready.layers) {
+        const auto* map = std::get_if<MapLayer>(layer.layer);
+        if (!map) continue;
+        std::string text = "set palette maxcolors " + std::to_string(ramp_classes) + " defined (";
+        for (int k = 0; k < ramp_classes; ++k) {
+            text += (k > 0 ? ", " : "") + std::to_string(k) + " \"" +
+                    std::string(ramp_color(map->ramp, k)) + '"';
+        }
+        const Interval range = drawing::range_of(*map);
+        return text + ")\nset cbrange [" + format_number(range.lo) + ':' +
+               format_number(range.hi) + "]\nset cblabel " + quoted(map->bar) +
+               "\nset colorbox\n";
+    }
+    return "unset colorbox\n";
+}
+
+bool can_splot(const Layer& layer) {
+    return std::holds_alternative<CurveLayer>(layer) ||
+           std::holds_alternative<PolylineLayer>(layer) ||
+           std::holds_alternative<PointsLayer>(layer) || std::holds_alternative<SheetLayer>(layer);
+}
+
+/// The axes of a panel in space, seen from where `svg` sees it.
+std::string space_axes(const Panel& panel) {
+    return "unset colorbox\nset zlabel " + quoted(panel.z_label) +
+           "\nset view 55,45\nset xyplane 0\nset pm3d depthorder lighting\nset hidden3d\n" +
+           (panel.kind == PanelKind::geometry ? "set view equal xyz\n" : "set view noequal\n");
+}
+
 std::string panel_script(const ReadyPanel& ready, std::size_t index, std::set<std::string>& named) {
     const Panel& panel = *ready.panel;
     const std::string place = "panel " + std::to_string(index);
-    if (ready.box.dim == 3) {
-        throw Error("drawing.gnuplot", place, "a panel in space", "is drawn as SVG only");
-    }
     std::string text = "set title " + quoted(panel.caption) + "\nset xlabel " +
                        quoted(panel.x_label) + "\nset ylabel " + quoted(panel.y_label) + '\n';
+    const bool is_space = ready.box.dim == 3;
     text += range_of("x", ready.box.sides[0], ready.is_log[0]);
     text += range_of("y", ready.box.sides[1], ready.is_log[1]);
-    text += panel.kind == PanelKind::geometry ? "set size ratio -1\n" : "set size noratio\n";
+    text += !is_space && panel.kind == PanelKind::geometry ? "set size ratio -1\n"
+                                                          : "set size noratio\n";
+    text += is_space ? space_axes(panel) : palette_of(ready);
     std::string plots;
     for (std::size_t i = 0; i < ready.layers.size(); ++i) {
         const ReadyLayer& layer = ready.layers[i];
+        if (is_space && !can_splot(*layer.layer)) {
+            throw Error("drawing.gnuplot", place, "a layer in space",
+                        "only curves, lines, points and sheets are drawn there");
+        }
         const Plot plot = std::visit(Plotter{layer, place + " layer " + std::to_string(i)},
                                      *layer.layer);
         if (plot.rows.empty()) continue;
@@ -141,7 +210,7 @@ std::string panel_script(const ReadyPanel& ready, std::size_t index, std::set<st
         text += block + " << END_OF_DATA\n" + plot.rows + "END_OF_DATA\n";
         const std::string& name = name_of(*layer.layer);
         const bool is_new = !name.empty() && named.insert(name).second;
-        plots += (plots.empty() ? "plot " : ", \\\n     ") + block + ' ' + plot.style +
+        plots += (!plots.empty() ? ", \\\n     " : is_space ? "splot " : "plot ") + block + ' ' + plot.style +
                  (is_new ? " title " + quoted(name) : " notitle");
     }
     return text + (plots.empty() ? "plot NaN notitle" : plots) + '\n';

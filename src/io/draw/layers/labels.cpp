@@ -38,6 +38,18 @@ Rect box_of(const TextShape& shape) {
     return {left, shape.at.y - 0.78 * shape.size, width, shape.size};
 }
 
+/// Where the pieces of a path end.
+std::vector<Pixel> ends_of(const Path& path) {
+    std::vector<Pixel> ends;
+    std::size_t next = 0;
+    for (const char verb : path.verbs) {
+        if (verb == 'Z') continue;
+        next += verb == 'C' ? 3 : 1;
+        ends.push_back(path.pixels[next - 1]);
+    }
+    return ends;
+}
+
 int cell(double x) { return static_cast<int>(std::floor(x / cell_size)); }
 
 std::vector<std::pair<int, int>> cells_of(const Rect& box) {
@@ -88,6 +100,29 @@ void LabelBoard::number(Scene& scene, std::span<const Pixel> centres, double rad
             scene.add(shape);
             break;
         }
+    }
+}
+
+void LabelBoard::write_upon(Scene& scene, const Path& line, const std::string& text,
+                            std::string_view color) {
+    constexpr double shortest_line = 4;  // in widths of the text
+    const std::vector<Pixel> ends = ends_of(line);
+    double whole = 0;
+    for (std::size_t i = 1; i < ends.size(); ++i) whole += length(ends[i] - ends[i - 1]);
+    if (whole < shortest_line * text_width(text, index_size)) return;
+    for (const double share : {0.5, 0.35, 0.65, 0.2, 0.8}) {
+        double rest = share * whole;
+        std::size_t i = 1;
+        while (i + 1 < ends.size() && rest > length(ends[i] - ends[i - 1])) {
+            rest -= length(ends[i] - ends[i - 1]);
+            ++i;
+        }
+        const Pixel at = ends[i - 1] + rest * towards(ends[i - 1], ends[i]);
+        TextShape shape{at + Pixel{0, 0.36 * index_size}, text, index_size, Anchor::middle, color};
+        shape.halo = halo;
+        if (!take(shape)) continue;
+        scene.add(shape);
+        return;
     }
 }
 

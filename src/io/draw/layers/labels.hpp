@@ -24,6 +24,11 @@ public:
     /// inside the area, shortened to the area's width.
     void write(Scene& scene, Pixel at, const std::string& whole, std::string_view color);
 
+    /// A text upon a line, in its middle or where else there is room; left out where the line is
+    /// short or its pieces leave no room.
+    void write_upon(Scene& scene, const Path& line, const std::string& text,
+                    std::string_view color);
+
 private:
     bool take(const TextShape& shape);
 

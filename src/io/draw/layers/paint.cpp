@@ -1,8 +1,10 @@
 #include "io/draw/layers/paint.hpp"
 
 #include "io/draw/layers/labels.hpp"
+#include "io/draw/layers/map.hpp"
 #include "io/draw/layers/marks.hpp"
 #include "io/draw/layers/shadow.hpp"
+#include "io/draw/layers/sheet.hpp"
 #include "io/draw/scene/theme.hpp"
 #include "io/draw/shapes/strokes.hpp"
 
@@ -110,7 +112,25 @@ struct Painter {
     void operator()(const TextLayer& layer) {
         labels.write(scene, frame.at(layer.at), layer.text, color());
     }
+
+    void operator()(const MapLayer& layer) { draw_map(scene, layer, frame); }
+    void operator()(const SheetLayer& layer) { draw_sheet(scene, layer, frame); }
 };
+
+void write_upon_lines(Scene& scene, const ReadyLayer& ready, const Frame& frame,
+                      LabelBoard& labels) {
+    const std::string_view color = color_of(ready.tone);
+    if (const auto* curve = std::get_if<CurveLayer>(ready.layer)) {
+        if (curve->label.empty()) return;
+        labels.write_upon(scene, path_of(ready.trace, frame), curve->label, color);
+    }
+    if (const auto* lines = std::get_if<PolylineLayer>(ready.layer)) {
+        if (lines->label.empty()) return;
+        for (const Points& run : lines->runs) {
+            labels.write_upon(scene, path_of(std::vector<Points>{run}, frame), lines->label, color);
+        }
+    }
+}
 
 }  // namespace
 
@@ -126,6 +146,9 @@ void draw_layers(Scene& scene, const ReadyPanel& panel, const Frame& frame, cons
     if (panel.is_cut) scene.add(ClipStart{frame.area});
     for (const ReadyLayer& layer : panel.layers) {
         std::visit(Painter{scene, frame, labels, layer}, *layer.layer);
+    }
+    for (const ReadyLayer& layer : panel.layers) {
+        write_upon_lines(scene, layer, frame, labels);
     }
     if (panel.is_cut) scene.add(ClipEnd{});
 }

@@ -1,6 +1,8 @@
 #include "io/draw/layers/swatch.hpp"
 
 #include "io/draw/layers/marks.hpp"
+#include "io/draw/scene/ramp.hpp"
+#include "io/draw/scene/theme.hpp"
 
 namespace batten::drawing {
 namespace {
@@ -58,6 +60,16 @@ struct Swatch {
     }
     void operator()(const TicksLayer&) { strokes(2, tick_paint(tone)); }
     void operator()(const TextLayer&) {}
+    void operator()(const MapLayer&) {}
+    void operator()(const SheetLayer& layer) {
+        Path patch;
+        patch.move_to(at(0, -5));
+        for (const Pixel corner : {at(1, -5), at(1, 5), at(0, 5)}) patch.line_to(corner);
+        patch.close();
+        const bool is_wire = layer.style == SheetStyle::wire;
+        scene.add(PathShape{patch, {color_of(tone), is_wire ? 0.8 : 0.0,
+                                    is_wire ? paper_color : shade_color(tone, shade_classes / 2)}});
+    }
 };
 
 }  // namespace

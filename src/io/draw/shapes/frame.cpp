@@ -7,9 +7,6 @@
 namespace batten::drawing {
 namespace {
 
-constexpr double cos_30 = 0.8660254037844386;
-constexpr double sin_30 = 0.5;
-
 std::size_t index(int k) { return static_cast<std::size_t>(k); }
 
 /// (x - middle) / half, halved first: the difference of two doubles may be none. What lies far
@@ -22,7 +19,7 @@ double steps_from(double x, double middle, double half) {
 /// How far the isometric picture of a box reaches from its middle.
 Pixel isometric_reach(const Box& box, double reach) {
     const double sides = box.half(0) / reach + box.half(1) / reach;
-    return {sides * cos_30, sides * sin_30 + box.half(2) / reach};
+    return {sides * isometric_x, sides * isometric_y + box.half(2) / reach};
 }
 
 }  // namespace
@@ -73,6 +70,14 @@ Pixel Frame::at(std::span<const double> point) const {
         p = p + steps_from(x, middle[k], halves[k]) * steps[k];
     }
     return p;
+}
+
+std::array<double, 3> Frame::along_axes(const std::array<double, 3>& point) const {
+    std::array<double, 3> pixels{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        pixels[k] = steps_from(point[k], middle[k], halves[k]) * length(steps[k]);
+    }
+    return pixels;
 }
 
 Pixel Frame::along(std::span<const double> direction) const {
@@ -142,8 +147,8 @@ Frame space_frame(const Box& box, Rect area, double padding) {
     Frame frame = plane_frame(box, area, padding);
     frame.dim = 3;
     frame.middle[2] = box.middle(2);
-    frame.steps = {Pixel{scale * cos_30, scale * sin_30}, Pixel{scale * cos_30, -scale * sin_30},
-                   Pixel{0, -scale}};
+    frame.steps = {Pixel{scale * isometric_x, scale * isometric_y},
+                   Pixel{scale * isometric_x, -scale * isometric_y}, Pixel{0, -scale}};
     return frame;
 }
 

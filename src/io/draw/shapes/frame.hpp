@@ -39,6 +39,8 @@ struct Frame {
     std::array<bool, 3> is_log{};
 
     Pixel at(std::span<const double> point) const;
+    /// How far it is from the middle along each axis as it is seen, in pixels before foreshortening.
+    std::array<double, 3> along_axes(const std::array<double, 3>& point) const;
     /// The direction in the picture, of length 1; zero where there is none.
     Pixel along(std::span<const double> direction) const;
     /// Where value `x` of coordinate `k` lies, already on the axis' scale, others in the middle.
@@ -51,6 +53,10 @@ struct Frame {
 
 /// Equal units on both axes, the box in the middle of the area.
 Frame plane_frame(const Box& box, Rect area, double padding);
+
+/// One pixel along x or y of an isometric view, right and down: cos 30 and sin 30 degrees.
+inline constexpr double isometric_x = 0.8660254037844386;
+inline constexpr double isometric_y = 0.5;
 
 /// Isometric view from above the front right: x to the right and down, y to the right and up, z
 /// up. `box` as `roomy` gives it.

@@ -1,0 +1,95 @@
+#include "api/surface_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace batten::api {
+namespace {
+
+constexpr int levels_drawn = 10;
+constexpr std::size_t relief_nodes = 37;
+constexpr std::size_t front_relief_nodes = 61;
+constexpr std::size_t level_nodes = 161;  // where lines are not traced on the surface itself
+constexpr int picture_width = 960;
+
+/// Residuals in standard deviations: those of the file, else `sigma`.
+Heights scaled_residuals(const Surface& surface, const GridFile& grid, double sigma) {
+    Heights e{grid.x, grid.y, grid.z};
+    const Grid s = heights_on(surface, grid.x, grid.y);
+    for (std::size_t i = 0; i < grid.x.size(); ++i) {
+        for (std::size_t j = 0; j < grid.y.size(); ++j) {
+            if (!grid.z.has(i, j)) continue;
+            const bool has_own = !grid.sigma.empty();
+            const double unit = has_own ? grid.sigma[i * grid.y.size() + j] : sigma;
+            e.z(i, j) = (grid.z(i, j) - s(i, j)) / unit;
+        }
+    }
+    return e;
+}
+
+Interval range_of_heights(const Heights& heights) {
+    const std::span<const double> z = heights.z.view().values();
+    const auto [lo, hi] = std::minmax_element(z.begin(), z.end());
+    return {*lo, *hi};
+}
+
+Panel levels_of(const Surface& surface, const std::vector<double>& levels) {
+    const std::string caption = "S, lines of equal height";
+    const auto* spline = std::get_if<SplineSurface>(&surface);
+    if (spline && std::min(spline->x_basis().degree(), spline->y_basis().degree()) > 0) {
+        return level_plot(*spline, levels, caption);
+    }
+    return level_plot(sampled(surface, level_nodes), levels, caption);
+}
+
+Drawing fit_panels(const Surface& surface, const GridFile& grid, double sigma) {
+    const std::vector<PolylineLayer> knots = knot_lines(surface);
+    const bool is_curved = std::holds_alternative<CurvedKnotSurface>(surface);
+    const std::size_t nodes = is_curved ? front_relief_nodes : relief_nodes;
+    const Heights relief = sampled(surface, nodes);
+    const std::vector<double> levels = round_levels(range_of_heights(relief), levels_drawn);
+    Panel data = height_map({grid.x, grid.y, grid.z}, "data and knot lines");
+    for (const PolylineLayer& lines : knots) data.add(lines);
+    Drawing drawing;
+    drawing.width = picture_width;
+    drawing.columns = 2;
+    drawing.panels = {std::move(data), levels_of(surface, levels),
+                      residual_map(scaled_residuals(surface, grid, sigma), knots, "residuals"),
+                      relief_plot(relief, {levels, nodes}, "S")};
+    return drawing;
+}
+
+}  // namespace
+
+Drawing contour_map(const Rectangle& domain, const std::vector<Contour>& lines) {
+    Drawing drawing;
+    drawing.panels = {map_panel(domain, {})};
+    add_levels(drawing.panels.front(), lines);
+    return drawing;
+}
+
+Drawing contour_picture(const SplineSurface& surface, const std::vector<Contour>& lines) {
+    std::vector<double> levels;
+    for (const Contour& line : lines) {
+        if (levels.empty() || levels.back() != line.level) levels.push_back(line.level);
+    }
+    Drawing drawing;
+    drawing.width = picture_width;
+    drawing.panels = {relief_plot(sampled(surface, relief_nodes), {levels}, "the surface")};
+    if (lines.empty()) return drawing;
+    Panel map = contour_map(surface.domain(), lines).panels.front();
+    map.caption = "lines of equal height";
+    drawing.panels.insert(drawing.panels.begin(), std::move(map));
+    return drawing;
+}
+
+Drawing surface_fit_picture(const SurfaceFit& fit, const GridFile& grid) {
+    return fit_panels(fit.surface, grid, fit.report.sigma.value_or(1));
+}
+
+Drawing front_picture(const FrontFit& fit, const GridFile& grid, std::optional<double> sigma) {
+    // Where no error is known, that of the fit is its own mean.
+    return fit_panels(fit.surface, grid, sigma.value_or(std::sqrt(fit.report.sigma2)));
+}
+
+}  // namespace batten::api

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "batten/io/draw/surface_plots.hpp"
+#include "batten/io/grid_file.hpp"
+#include "batten/make/fit_front.hpp"
+#include "batten/make/fit_surface.hpp"
+
+namespace batten::api {
+
+/// Level lines as a map; and the same upon the surface.
+Drawing contour_map(const Rectangle& domain, const std::vector<Contour>& lines);
+Drawing contour_picture(const SplineSurface& surface, const std::vector<Contour>& lines);
+
+/// Four panels: the data under the knot lines, level lines, the surface in space, residuals.
+Drawing surface_fit_picture(const SurfaceFit& fit, const GridFile& grid);
+/// `sigma` is the error asked for, if any.
+Drawing front_picture(const FrontFit& fit, const GridFile& grid, std::optional<double> sigma);
+
+}  // namespace batten::api

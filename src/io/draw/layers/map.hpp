@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "batten/io/draw/surface_layers.hpp"
+#include "io/draw/scene/scene.hpp"
+#include "io/draw/shapes/frame.hpp"
+
+namespace batten::drawing {
+
+/// A cell of a map: its part of the plane and its number.
+struct MapCell {
+    Interval x, y;
+    double value = 0;
+};
+
+/// The cells of a map, rows of constant y one after the other, `most_x` x `most_y` at most.
+std::vector<MapCell> cells_of(const MapLayer& map, std::size_t most_x, std::size_t most_y);
+
+/// What the colours of a map span.
+Interval range_of(const MapLayer& map);
+
+void draw_map(Scene& scene, const MapLayer& map, const Frame& frame);
+
+/// The colour bar, its upper left corner at `corner`, with its numbers below; `width` is the
+/// panel's.
+void draw_bar(Scene& scene, const MapLayer& map, Pixel corner, double width);
+inline constexpr double bar_room = 44;  ///< what it needs below a panel
+
+}  // namespace batten::drawing

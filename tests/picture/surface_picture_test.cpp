@@ -1,0 +1,185 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "batten/api/operation.hpp"
+#include "batten/base/text.hpp"
+#include "batten/io/draw/gnuplot.hpp"
+#include "batten/io/draw/surface_plots.hpp"
+#include "errors.hpp"
+#include "shared.hpp"
+
+// Maps, sheets and what operations draw of surfaces. After a change on purpose:
+// BATTEN_GOLDEN=accept, and look.
+namespace batten::testing {
+namespace surface_picture_test {
+
+double two_hills(double x, double y) {
+    const auto hill = [&](double a, double b, double size) {
+        return std::exp(-((x - a) * (x - a) + (y - b) * (y - b)) / (2 * size * size));
+    };
+    return 80 + 40 * hill(18, 30, 6) - 25 * hill(40, 18, 8);
+}
+
+Heights hills(std::size_t nx, std::size_t ny) {
+    Heights heights{even_places({0, 60}, nx), even_places({0, 50}, ny), Grid(nx, ny)};
+    for (std::size_t i = 0; i < nx; ++i) {
+        for (std::size_t j = 0; j < ny; ++j) {
+            heights.z(i, j) = two_hills(heights.x[i], heights.y[j]);
+        }
+    }
+    return heights;
+}
+
+std::string hills_table() {
+    const Heights heights = hills(31, 26);
+    std::string text = "x,y,f\n";
+    for (std::size_t i = 0; i < heights.x.size(); ++i) {
+        for (std::size_t j = 0; j < heights.y.size(); ++j) {
+            const double a = static_cast<double>(i), b = static_cast<double>(j);
+            const double wobble = std::sin(40 * a * a + 17 * b) + std::sin(29 * b * b);
+            text += format_number(heights.x[i]) + "," + format_number(heights.y[j]) + "," +
+                    format_fixed(heights.z(i, j) + 0.7 * wobble, 2) + "\n";
+        }
+    }
+    return text;
+}
+
+/// A tube bent over, which hides parts of itself.
+SheetLayer tube() {
+    constexpr std::size_t around = 20, along = 24;
+    SheetLayer sheet;
+    sheet.nodes = Grid(around + 1, along + 1, 3);
+    for (std::size_t i = 0; i <= around; ++i) {
+        for (std::size_t j = 0; j <= along; ++j) {
+            const double a = 6.283185307 * static_cast<double>(i) / around;
+            const double b = 3.141592654 * static_cast<double>(j) / along;
+            const double reach = 3 + std::cos(a);
+            const double place[] = {reach * std::cos(b), std::sin(a), reach * std::sin(b)};
+            for (int k = 0; k < 3; ++k) sheet.nodes(i, j, k) = place[k];
+        }
+    }
+    return sheet;
+}
+
+Drawing of(std::vector<Panel> panels) {
+    Drawing drawing;
+    drawing.columns = 2;
+    drawing.panels = std::move(panels);
+    return drawing;
+}
+
+TEST(Picture, OfReliefsHidesWhatIsBehind) {
+    const std::vector<double> levels{60, 65, 70, 75, 85, 90, 100, 110};
+    Panel shaded = relief_plot(hills(25, 25), {levels}, "lit, with level lines");
+    Panel wire = relief_plot(hills(21, 21), {}, "node lines and points");
+    SheetLayer& sheet = std::get<SheetLayer>(wire.layers[0]);
+    sheet.style = SheetStyle::wire;
+    for (const double y : {5.0, 18.0, 30.0, 45.0}) {
+        for (double x = 3; x < 60; x += 9) {
+            sheet.dots.push_back(std::array{x, y, two_hills(x, y) + 2});
+        }
+    }
+    wire.x_label = "width, mm";
+    wire.y_label = "depth, mm";
+    wire.z_label = "height, µm";
+    EXPECT_TRUE(is_golden("reliefs.svg", svg(of({shaded, wire}))));
+}
+
+TEST(Picture, OfASheetOrdersItsCellsByNearness) {
+    Drawing drawing;
+    drawing.width = 480;
+    drawing.add(tube());
+    EXPECT_TRUE(is_golden("tube.svg", svg(drawing)));
+}
+
+TEST(Picture, OfMapsHasColourBarsAndHoles) {
+    Heights heights = hills(31, 26), residuals = hills(31, 26);
+    for (std::size_t i = 0; i < 31; ++i) {
+        for (std::size_t j = 0; j < 26; ++j) {
+            residuals.z(i, j) = 3 * std::sin(0.02 * static_cast<double>(i * i)) *
+                                std::cos(0.3 * static_cast<double>(j));
+        }
+    }
+    for (std::size_t i = 10; i < 16; ++i) {
+        for (std::size_t j = 5; j < 9; ++j) heights.z.drop(i, j);
+    }
+    Panel levels = level_plot(heights, round_levels({55, 120}, 8), "level lines");
+    EXPECT_TRUE(is_golden("maps.svg", svg(of({height_map(heights, "heights"), std::move(levels),
+                                              residual_map(residuals, {}, "residuals")}))));
+}
+
+Outcome fitted(const std::vector<Setting>& settings) {
+    const Input input{"hills.csv", Source{"hills.csv", hills_table()}};
+    return find_operation("fit-surface")->run({&input, 1}, settings, {});
+}
+
+TEST(Picture, OfASurfaceFitShowsKnotLinesLevelsResidualsAndTheSurface) {
+    const Drawing drawing = fitted({{"sigma", "0.7"}}).draw();
+    ASSERT_EQ(drawing.panels.size(), 4u);
+    EXPECT_TRUE(is_golden("fit_surface.svg", svg(drawing)));
+}
+
+TEST(Picture, OfContoursShowsThemAsAMapAndUponTheSurface) {
+    const Surface surface = std::get<Surface>(fitted({{"sigma", "0.7"}}).output);
+    const Input input{"hills.json", surface};
+    const Outcome traced = find_operation("contour")->run({&input, 1}, {{"levels", "70,90"}}, {});
+    EXPECT_TRUE(is_golden("contour.svg", svg(traced.draw())));
+    const Outcome none = find_operation("contour")->run({&input, 1}, {{"levels", "500"}}, {});
+    EXPECT_EQ(none.draw().panels.size(), 1u);
+}
+
+TEST(Gnuplot, IsToldReliefsAndMaps) {
+    const std::string script = gnuplot_script(
+        of({relief_plot(hills(5, 5), {}, "relief"), residual_map(hills(5, 5), {}, "map")}),
+        ChartFormat::png);
+    for (const char* const words : {"splot $d0_0 with pm3d", "set cbrange [-",
+                                    "boxxyerror", "set cblabel \"residual / σ\""}) {
+        EXPECT_NE(script.find(words), std::string::npos) << words;
+    }
+}
+
+std::string code_of_drawing(const Layer& layer) {
+    return code_of([&] {
+        Drawing drawing;
+        drawing.add(layer);
+        svg(drawing);
+    });
+}
+
+TEST(Map, RefusesPlacesThatDoNotFitItsNumbers) {
+    EXPECT_EQ(code_of_drawing(MapLayer{{0, 1}, {0, 1, 2}, Grid(2, 2)}), "drawing.option");
+    EXPECT_EQ(code_of_drawing(MapLayer{{0, 1}, {1, 0}, Grid(2, 2)}), "drawing.option");
+    EXPECT_EQ(code_of_drawing(MapLayer{{0}, {0, 1}, Grid(1, 2)}), "drawing.option");
+    EXPECT_EQ(code_of_drawing(MapLayer{{0, 1}, {0, 1}, Grid(2, 2)}), "none");
+}
+
+TEST(Sheet, RefusesLinesBesideIt) {
+    SheetLayer sheet = tube();
+    sheet.lines.push_back({Points({0, 0, 0, 25}, 2)});
+    EXPECT_EQ(code_of_drawing(sheet), "drawing.option");
+    sheet.lines.clear();
+    sheet.nodes = Grid(1, 5, 3);
+    EXPECT_EQ(code_of_drawing(sheet), "drawing.option");
+}
+
+TEST(Sheet, LooksTheSameAtAnyScale) {
+    const auto drawn = [](double factor) {
+        Heights heights = hills(9, 9);
+        for (double& x : heights.x) x *= factor;
+        for (double& y : heights.y) y *= factor;
+        for (std::size_t i = 0; i < 81; ++i) heights.z(i / 9, i % 9) *= factor;
+        Drawing drawing;
+        drawing.panels = {relief_plot(heights, {{70 * factor}}, "")};
+        drawing.panels[0].axes = AxesStyle::hidden;
+        return svg(drawing);
+    };
+    EXPECT_EQ(drawn(1), drawn(1024));
+    EXPECT_EQ(drawn(1), drawn(0x1p-20));
+}
+
+}  // namespace surface_picture_test
+}  // namespace batten::testing
