@@ -4,7 +4,7 @@ set -euo pipefail
 
 declare -A packages=(
     [core]="g++ cmake ninja-build make libeigen3-dev libboost-dev libcli11-dev libfmt-dev
-            nlohmann-json3-dev"
+            nlohmann-json3-dev libpng-dev"
     [test]="libgtest-dev librapidcheck-dev python3 python3-ezdxf pkg-config"
     [python]="python3-dev python3-numpy pybind11-dev"
     [package]="dpkg-dev file"

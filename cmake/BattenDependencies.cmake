@@ -1,4 +1,5 @@
-# What stands behind the core. Header-only everywhere, so whoever links Batten needs none of it.
+# What stands behind the core. Header-only but for libpng, which the shared library brings along, so
+# whoever links Batten needs none of it.
 # Under emscripten the headers come through a folder of links: /usr/include itself would bring the
 # host's C library along.
 if(EMSCRIPTEN)
@@ -26,4 +27,16 @@ else()
     list(REMOVE_DUPLICATES batten_behind_include)
     add_library(batten_behind INTERFACE)
     target_include_directories(batten_behind SYSTEM INTERFACE ${batten_behind_include})
+endif()
+
+if(EMSCRIPTEN)
+    set(BATTEN_PNG OFF)
+else()
+    option(BATTEN_PNG "Read PNG pictures as grids, through libpng" ON)
+endif()
+if(BATTEN_PNG)
+    find_package(PNG)
+    if(NOT PNG_FOUND)
+        message(FATAL_ERROR "libpng is missing. Run: ./setup.sh core, or configure with -DBATTEN_PNG=OFF")
+    endif()
 endif()

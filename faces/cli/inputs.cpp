@@ -8,6 +8,7 @@
 #include "batten/base/text.hpp"
 #include "batten/io/curve_file.hpp"
 #include "batten/io/files.hpp"
+#include "batten/io/surface_file.hpp"
 #include "batten/io/table.hpp"
 
 namespace batten::cli {
@@ -90,15 +91,28 @@ Argument read_numbers(const std::string& path) {
 }  // namespace
 
 Input read_input(const std::string& path, const Command& command) {
-    const Source source = read_source(path);
+    Source source = read_source(path);
     const InputKind kind = command.operation->input;
-    const bool is_curve = holds_curve(source);
-    const bool takes_rows = kind == InputKind::points || kind == InputKind::table;
-    if (takes_rows && is_curve) {
-        throw Error("input.kind", source.name, "a curve",
-                    std::string(command.operation->name) + " takes points");
+    const auto refuse = [&](const char* what, const char* takes) {
+        throw Error("input.kind", source.name, what,
+                    std::string(command.operation->name) + " takes " + takes);
+    };
+    if (holds_surface(source)) {
+        if (!takes_surface(kind)) refuse("a surface", takes_curve(kind) ? "a curve" : "points");
+        return {source.name, parse_surface(source)};
     }
-    if (kind == InputKind::curve && !is_curve) {
+    if (kind == InputKind::surface) {
+        // Read it all the same: what is wrong with the file comes before what it is for.
+        parse_surface(source);
+    }
+    const bool is_curve = holds_curve(source);
+    if (kind == InputKind::grid) {
+        if (is_curve) refuse("a curve", "a grid of heights");
+        std::string name = source.name;
+        return {std::move(name), std::move(source)};
+    }
+    if (is_curve && !takes_curve(kind)) refuse("a curve", "points");
+    if (!is_curve && !takes_rows(kind)) {
         // Read it all the same: what is wrong with the file comes before what it is for.
         parse_table(source);
         throw Error("input.kind", source.name, "points",

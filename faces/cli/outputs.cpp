@@ -9,6 +9,7 @@
 #include "batten/io/dxf.hpp"
 #include "batten/io/files.hpp"
 #include "batten/io/json.hpp"
+#include "batten/io/surface_file.hpp"
 #include "batten/io/svg_path.hpp"
 #include "batten/io/write_points.hpp"
 #include "charts.hpp"
@@ -80,6 +81,10 @@ std::string output_text(const Command& command, const Outcome& outcome,
     if (const Rows* rows = std::get_if<Rows>(&outcome.output)) return text_of(*rows, format);
     if (const auto* drawing = std::get_if<Drawing>(&outcome.output)) {
         return text_of(*drawing, format);
+    }
+    if (const auto* surface = std::get_if<Surface>(&outcome.output)) {
+        if (format == "json") return dump_json(surface_value(*surface));
+        refuse_format(format, with_forms("json", outcome));
     }
     if (format != "json") refuse_format(format, "json");
     return report_text(command, outcome);

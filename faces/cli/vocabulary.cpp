@@ -15,8 +15,9 @@ const CommonFlag quiet_flag{{"quiet", 0, "", "no summary on standard error"}, &C
 std::string input_word(InputKind kind) {
     if (kind == InputKind::none) return {};
     std::string word(name_of(kind));
-    const std::size_t joint = word.find("_or_");
-    if (joint != std::string::npos) word.replace(joint, 4, "|");
+    for (std::size_t joint; (joint = word.find("_or_")) != std::string::npos;) {
+        word.replace(joint, 4, "|");
+    }
     std::transform(word.begin(), word.end(), word.begin(),
                    [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     return word;
@@ -57,7 +58,7 @@ std::vector<CommonFlag> common_flags(const Operation& operation) {
                           {}, true},
                          &Command::drawing});
     }
-    if (operation.input != InputKind::curve && operation.input != InputKind::none) {
+    if (takes_rows(operation.input) && operation.input != InputKind::grid) {
         flags.push_back({{"columns", 0, "X,Y[,Z]",
                           "columns that hold the coordinates: names or #k, k from 1"},
                          &Command::columns});

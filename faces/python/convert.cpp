@@ -94,9 +94,14 @@ Table table_of(PointsView rows, const std::string& name) {
 }
 
 /// `{"x": …, "y": …}`: columns by name.
-Table table_of(const py::dict& columns, const std::string& name) {
-    std::vector<Array> arrays;
+struct Columns {
     std::vector<std::string> names;
+    std::vector<Array> arrays;
+};
+
+Columns columns_of(const py::dict& columns, const std::string& name) {
+    Columns all;
+    auto& [names, arrays] = all;
     for (const auto& [key, value] : columns) {
         names.push_back(py::str(key));
         arrays.push_back(array_of(value));
@@ -107,6 +112,11 @@ Table table_of(const py::dict& columns, const std::string& name) {
         }
     }
     if (arrays.empty()) throw Error("table.columns", name, "none", "must have columns");
+    return all;
+}
+
+Table table_of(const py::dict& columns, const std::string& name) {
+    const auto [names, arrays] = columns_of(columns, name);
     Table table = empty_table(name, static_cast<std::size_t>(arrays.front().size()), arrays.size());
     table.names = names;
     for (std::size_t k = 0; k < arrays.size(); ++k) {
@@ -117,20 +127,75 @@ Table table_of(const py::dict& columns, const std::string& name) {
     return table;
 }
 
+/// f[x][y], a masked array or NaN where nodes are missing.
+GridFile grid_of(const Array& heights, const std::string& name) {
+    const auto rows = static_cast<std::size_t>(heights.shape(0));
+    const auto columns = static_cast<std::size_t>(heights.shape(1));
+    Grid z(rows, columns);
+    for (std::size_t i = 0; i < rows; ++i) {
+        for (std::size_t j = 0; j < columns; ++j) {
+            const double value = heights.data()[i * columns + j];
+            if (std::isnan(value)) {
+                z.drop(i, j);
+            } else if (std::isinf(value)) {
+                throw Error("grid.cell", name + " [" + std::to_string(i) + "][" +
+                                             std::to_string(j) + "]",
+                            "inf", "a height must be a finite number or NaN");
+            } else {
+                z(i, j) = value;
+            }
+        }
+    }
+    return counted_grid(std::move(z), name);
+}
+
+/// The columns as a file has them.
+std::string text_of(const Columns& columns) {
+    std::string text;
+    const auto next = [&](std::size_t k) { return k + 1 < columns.names.size() ? ',' : '\n'; };
+    for (std::size_t k = 0; k < columns.names.size(); ++k) text += columns.names[k] + next(k);
+    for (py::ssize_t i = 0; i < columns.arrays.front().size(); ++i) {
+        for (std::size_t k = 0; k < columns.names.size(); ++k) {
+            text += format_number(columns.arrays[k].data()[i]) + next(k);
+        }
+    }
+    return text;
+}
+
+/// Heights, or columns x, y, f[, sigma] by name, as in a file.
+Input grid_input(py::handle object, const std::string& name) {
+    if (py::isinstance<py::dict>(object)) {
+        return {name, Source{name, text_of(columns_of(py::reinterpret_borrow<py::dict>(object), name))}};
+    }
+    const py::object plain =
+        py::hasattr(object, "filled")
+            ? object.attr("astype")("float64").attr("filled")(std::nan(""))
+            : py::reinterpret_borrow<py::object>(object);
+    const Array heights = array_of(plain);
+    if (!heights || heights.ndim() != 2) {
+        throw Error("input.kind", name, type_name(object), "must be a table of heights f[x][y]");
+    }
+    return {name, grid_of(heights, name)};
+}
+
 }  // namespace
 
 void add_input(Inputs& all, const Operation& operation, py::handle object,
                const std::string& name) {
     if (py::isinstance<Curve>(object)) {
         all.inputs.push_back({name, object.cast<const Curve&>()});
+    } else if (py::isinstance<HeldSurface>(object)) {
+        all.inputs.push_back({name, object.cast<const HeldSurface&>().surface});
     } else if (py::isinstance<Made>(object)) {
         all.inputs.push_back(input_of(object.cast<const Made&>().outcome.output, name, operation));
+    } else if (operation.input == InputKind::grid) {
+        all.inputs.push_back(grid_input(object, name));
     } else if (py::isinstance<py::dict>(object)) {
         all.inputs.push_back(
             input_of(table_of(py::reinterpret_borrow<py::dict>(object), name), operation));
     } else {
         Array array = array_of(object);
-        if (!array) throw Error("input.kind", name, type_name(object), "must be points or a curve");
+        if (!array) throw Error("input.kind", name, type_name(object), "must be points, a curve or a surface");
         const PointsView rows = view_of_rows(array, name);
         if (operation.input == InputKind::table) {
             all.inputs.push_back(input_of(table_of(rows, name), operation));

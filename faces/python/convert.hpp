@@ -23,6 +23,11 @@ struct Made {
     Outcome outcome;
 };
 
+/// What Python calls a `Surface`: a class of its own, since pybind11 takes variants apart.
+struct HeldSurface {
+    Surface surface;
+};
+
 /// Inputs, and the arrays whose memory they borrow.
 struct Inputs {
     std::vector<Input> inputs;

@@ -5,10 +5,12 @@
 #include "batten/io/curve_file.hpp"
 #include "batten/io/draw/drawing.hpp"
 #include "batten/io/json.hpp"
+#include "batten/io/surface_file.hpp"
 #include "batten/io/table.hpp"
 #include "convert.hpp"
 #include "curve.hpp"
 #include "signature.hpp"
+#include "surface.hpp"
 #include "work.hpp"
 
 namespace batten::python {
@@ -88,6 +90,11 @@ py::object curve_of(const Made& made) {
     return curve ? py::cast(*curve) : py::none();
 }
 
+py::object surface_of(const Made& made) {
+    const Surface* surface = std::get_if<Surface>(&made.outcome.output);
+    return surface ? py::cast(HeldSurface{*surface}) : py::none();
+}
+
 py::list names_of(const Made& made) {
     py::list names;
     if (const Rows* rows = std::get_if<Rows>(&made.outcome.output)) {
@@ -129,6 +136,7 @@ py::object picture_of(const Made& made) {
 void bind_outcome(py::module_& module) {
     py::class_<Made>(module, "Outcome", "What an operation made, and how good it is.")
         .def_property_readonly("curve", &curve_of, "the curve, or None where none was made")
+        .def_property_readonly("surface", &surface_of, "the surface, or None where none was made")
         .def_property_readonly("points", &points_of, "the rows, or None where none were made")
         .def_property_readonly("names", &names_of, "what the columns of the rows are called")
         .def_property_readonly(
@@ -174,16 +182,19 @@ PYBIND11_MODULE(_core, module) {
     pybind11::register_exception_translator(&translate);
     module.attr("__version__") = std::string(batten::version());
     bind_curve(module);
+    bind_surface(module);
     bind_outcome(module);
     module.def("read_points", &read_points_file, py::arg("path"), py::arg("columns") = "",
                "The points in a file of any format that the command line reads.");
     module.def("read_curve", &batten::read_curve, py::arg("path"),
                "The curve in a file of Batten or an SVG picture.");
+    module.def("read_surface", [](const std::string& path) { return HeldSurface{batten::read_surface(path)}; },
+               py::arg("path"), "The surface in a file of Batten.");
     module.def("_stubs", &stubs, "The operations as they stand in the stub file.");
     pybind11::options plain;
     plain.disable_function_signatures();
     for (const batten::Operation& operation : batten::operations()) {
         bind_operation(module, operation);
     }
-    for (const char* name : {"Curve", "Outcome"}) module.attr(name).attr("__module__") = "batten";
+    for (const char* name : {"Curve", "Outcome", "Surface"}) module.attr(name).attr("__module__") = "batten";
 }

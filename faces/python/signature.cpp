@@ -55,6 +55,10 @@ std::string type_of(const Field& field) {
 std::string input_type(const Operation& operation) {
     const InputKind kind = operation.input;
     if (kind == InputKind::curve) return "Curve | Outcome";
+    if (kind == InputKind::surface) return "Surface | Outcome";
+    if (kind == InputKind::curve_or_surface) return "Curve | Surface | Outcome";
+    if (kind == InputKind::any) return "ArrayLike | Curve | Surface | Outcome | Mapping[str, ArrayLike]";
+    if (kind == InputKind::grid) return "ArrayLike | Outcome | Mapping[str, ArrayLike]";
     if (kind == InputKind::points || kind == InputKind::table) return "ArrayLike | Outcome | Mapping[str, ArrayLike]";
     return "ArrayLike | Curve | Outcome | Mapping[str, ArrayLike]";
 }

@@ -31,6 +31,20 @@ const PointsInput& points_input(std::span<const Input> inputs) {
     return *points;
 }
 
+const Surface& surface_input(std::span<const Input> inputs) {
+    const Surface* surface = std::get_if<Surface>(&single(inputs).content);
+    if (!surface) throw Error("input.kind", "input", "no surface", "this operation takes a surface");
+    return *surface;
+}
+
+GridFile grid_input(std::span<const Input> inputs) {
+    const Input& input = single(inputs);
+    if (const GridFile* grid = std::get_if<GridFile>(&input.content)) return *grid;
+    const Source* source = std::get_if<Source>(&input.content);
+    if (!source) throw Error("input.kind", "input", "no grid", "this operation takes a grid");
+    return parse_grid(*source);
+}
+
 Points points_of(const PointsInput& input) {
     if (!input.borrowed) return batten::points_of(input.table, input.columns);
     require_finite(*input.borrowed);

@@ -48,6 +48,13 @@ const Curve& curve_input(std::span<const Input> inputs);
 /// The one table of the inputs. Throws `input.kind`, `input.count`.
 const PointsInput& points_input(std::span<const Input> inputs);
 
+/// The one surface of the inputs. Throws `input.kind`, `input.count`.
+const Surface& surface_input(std::span<const Input> inputs);
+
+/// The one grid of the inputs, read where it is still a file. Throws `input.kind`, `input.count`,
+/// and what parse_grid throws.
+GridFile grid_input(std::span<const Input> inputs);
+
 /// The coordinates of a points input.
 Points points_of(const PointsInput& input);
 
@@ -74,6 +81,8 @@ Operation thin_row();
 Operation arcs_row();
 Operation measure_row();
 Operation evaluate_row();
+Operation fit_surface_row();
+Operation contour_row();
 Operation compare_row();
 Operation convert_row();
 Operation draw_row();

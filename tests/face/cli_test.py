@@ -684,5 +684,48 @@ class BadInput(Folder):
             self.assertIn(done.returncode, (0, 2), done.stderr)
 
 
+class Surfaces(Folder):
+    def grid(self):
+        rows = ["," + ",".join(str(0.1 * j) for j in range(11))]
+        for i in range(13):
+            cells = [str((0.1 * i - 0.6) ** 2 + (0.1 * j - 0.5) ** 2) for j in range(11)]
+            rows.append(",".join([str(0.1 * i)] + cells))
+        return self.file("grid.csv", "\n".join(rows) + "\n")
+
+    def test_a_grid_becomes_a_surface_and_its_level_line_a_curve(self):
+        report = self.report("fit-surface", self.grid(), "--sigma", "0.01", "-o",
+                             self.path("s.json"), "--draw", self.path("s.svg"))
+        self.assertEqual(report["report"]["intervals"], [1, 1])
+        self.assertEqual(report["report"]["samples"], 143)
+        self.good("contour", self.path("s.json"), "--levels", "0.09", "-o", self.path("c.json"))
+        circle = self.report("measure", self.path("c.json"))["report"]
+        self.assertAlmostEqual(circle["length"], 0.6 * math.pi, places=5)
+        for form in ("csv", "npy", "obj", "ply", "stl"):
+            self.good("fit-surface", self.grid(), "-o", self.path("s." + form))
+        for form in ("csv", "svg", "dxf"):
+            self.good("contour", self.path("s.json"), "-o", self.path("c." + form))
+
+    def test_a_job_passes_surfaces_on(self):
+        rows = [[(0.1 * i - 0.6) ** 2 + (0.1 * j - 0.5) ** 2 for j in range(11)] for i in range(13)]
+        job = [{"operation": "fit-surface", "input": rows, "name": "bowl",
+                "options": {"sigma": 0.01, "x": [0.1 * i for i in range(13)],
+                            "y": [0.1 * j for j in range(11)]}},
+               {"operation": "contour", "input": "bowl", "options": {"levels": [0.09]},
+                "output": self.path("c.json")}]
+        self.good("run", self.file("job.json", json.dumps(job)))
+        circle = self.report("measure", self.path("c.json"))["report"]
+        self.assertAlmostEqual(circle["length"], 0.6 * math.pi, places=5)
+        job[1]["operation"] = "measure"
+        job[1].pop("options")
+        job[0]["input"][2].pop()
+        self.refused("grid.ragged", "run", self.file("job.json", json.dumps(job)))
+
+    def test_what_is_no_grid_is_refused(self):
+        bad = self.file("bad.csv", "x,y,f\n0,0,1\n0,1,1\n1,0,1\n")
+        self.refused("grid.not-a-grid", "fit-surface", bad)
+        self.refused("picture.format", "fit-surface", self.file("a.png", "text"))
+        self.refused("surface.format", "contour", self.grid())
+
+
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1], verbosity=1)

@@ -14,8 +14,11 @@
 #include "batten/base/progress.hpp"
 #include "batten/base/value.hpp"
 #include "batten/io/draw/drawing.hpp"
+#include "batten/io/files.hpp"
+#include "batten/io/grid_file.hpp"
 #include "batten/io/table.hpp"
 #include "batten/shape/curve.hpp"
+#include "batten/shape/surface.hpp"
 
 /// Every operation as one row of one table: what the faces are made from.
 namespace batten {
@@ -52,21 +55,43 @@ struct PointsInput {
     std::optional<PointsView> borrowed = {};  ///< in place of the table's cells
 };
 
-/// What an operation works on.
-enum class InputKind { points, curve, points_or_curve, table, none };
+/// What an operation works on. A grid is a table, rows or a picture: the bytes of a file, since the
+/// options tell how to read them, or heights that are read.
+enum class InputKind {
+    points, curve, points_or_curve, table, none, grid, surface, curve_or_surface, any
+};
 
 /// What every face calls it.
-constexpr std::array<Named<InputKind>, 5> names_of(InputKind) {
+constexpr std::array<Named<InputKind>, 9> names_of(InputKind) {
     return {{{"points", InputKind::points},
              {"curve", InputKind::curve},
              {"points_or_curve", InputKind::points_or_curve},
              {"table", InputKind::table},
-             {"none", InputKind::none}}};
+             {"none", InputKind::none},
+             {"grid", InputKind::grid},
+             {"surface", InputKind::surface},
+             {"curve_or_surface", InputKind::curve_or_surface},
+             {"points_or_curve_or_surface", InputKind::any}}};
+}
+
+/// Whether an operation takes a curve, or a surface.
+constexpr bool takes_curve(InputKind kind) {
+    return kind == InputKind::curve || kind == InputKind::points_or_curve ||
+           kind == InputKind::curve_or_surface || kind == InputKind::any;
+}
+constexpr bool takes_surface(InputKind kind) {
+    return kind == InputKind::surface || kind == InputKind::curve_or_surface ||
+           kind == InputKind::any;
+}
+/// Whether it takes rows of numbers.
+constexpr bool takes_rows(InputKind kind) {
+    return kind == InputKind::points || kind == InputKind::points_or_curve ||
+           kind == InputKind::table || kind == InputKind::grid || kind == InputKind::any;
 }
 
 struct Input {
     std::string name;  ///< for errors and legends: the file's name, or what the caller calls it
-    std::variant<PointsInput, Curve> content;
+    std::variant<PointsInput, Curve, Source, GridFile, Surface> content;
 };
 
 /// Rows of named columns.
@@ -75,9 +100,9 @@ struct Rows {
     Points cells;
 };
 
-/// What an operation makes: nothing but its report, a curve, rows, or a picture.
-enum class OutputKind { report, curve, rows, drawing };
-using Output = std::variant<std::monostate, Curve, Rows, Drawing>;
+/// What an operation makes: nothing but its report, a curve, rows, a picture, or a surface.
+enum class OutputKind { report, curve, rows, drawing, surface };
+using Output = std::variant<std::monostate, Curve, Rows, Drawing, Surface>;
 
 /// One more form in which an output can be written, made only when somebody wants it.
 struct OutputForm {

@@ -9,7 +9,9 @@
 #include "batten/base/text.hpp"
 #include "batten/io/curve_file.hpp"
 #include "batten/io/json.hpp"
+#include "batten/io/surface_file.hpp"
 #include "batten/io/table.hpp"
+#include "batten/io/write_points.hpp"
 
 namespace batten {
 namespace {
@@ -49,6 +51,31 @@ Table table_of(const Value& value, const std::string& name) {
     return parse_table({name, dump_json(value, JsonStyle::one_line)}, TableFormat::json);
 }
 
+/// Rows of heights, one row an x, `null` where a node is missing; lines are counted from 0.
+GridFile grid_of(const ValueList& rows, const std::string& name) {
+    const ValueList* first = rows.empty() ? nullptr : rows.front().list();
+    Grid z(rows.size(), first ? first->size() : 0);
+    for (std::size_t i = 0; i < z.nu(); ++i) {
+        const ValueList* row = rows[i].list();
+        const std::string place = name + " row " + std::to_string(i);
+        if (!row || row->size() != z.nv()) {
+            throw Error("grid.ragged", place, row ? std::to_string(row->size()) : "no list",
+                        "every row of a grid must have as many heights as the first");
+        }
+        for (std::size_t j = 0; j < z.nv(); ++j) {
+            if ((*row)[j].is_null()) {
+                z.drop(i, j);
+            } else if ((*row)[j].is_number()) {
+                z(i, j) = (*row)[j].number();
+            } else {
+                throw Error("grid.cell", place + ", column " + std::to_string(j), "something else",
+                            "a height must be a number or null");
+            }
+        }
+    }
+    return counted_grid(std::move(z), name);
+}
+
 }  // namespace
 
 Argument argument_of(const Field& field, const Value& value) {
@@ -77,16 +104,25 @@ Input input_of(Table table, const Operation& operation, const std::string& picks
 
 Input input_of(const Value& value, const std::string& name, const Operation& operation,
                const std::string& picks) {
+    if (is_surface(value)) return {name, any_surface_of(value, name)};
     if (value.map()) return {name, curve_of(value, name)};
+    if (operation.input == InputKind::grid && value.list()) {
+        return {name, grid_of(*value.list(), name)};
+    }
     return input_of(table_of(value, name), operation, picks);
 }
 
 Input input_of(const Output& output, const std::string& name, const Operation& operation,
                const std::string& picks) {
     if (const Curve* curve = std::get_if<Curve>(&output)) return {name, *curve};
+    if (const Surface* surface = std::get_if<Surface>(&output)) return {name, *surface};
     const Rows* rows = std::get_if<Rows>(&output);
     if (!rows) {
-        throw Error("job.input", name, "no curve and no rows", "this step makes no input of others");
+        throw Error("job.input", name, "no curve, rows or surface",
+                    "this step makes no input of others");
+    }
+    if (operation.input == InputKind::grid) {
+        return {name, Source{name, csv_points(rows->cells, rows->names)}};
     }
     Table table;
     table.source = name;

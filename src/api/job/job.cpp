@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "batten/api/argument.hpp"
+#include "batten/io/surface_file.hpp"
 
 namespace batten {
 namespace {
@@ -108,11 +109,12 @@ void read_options(Step& step, const Value& options, const std::vector<Step>& bef
 }
 
 bool takes_result_of(const Operation& operation, const Operation& before) {
-    const bool makes_curve = before.output == OutputKind::curve;
-    if (!makes_curve && before.output != OutputKind::rows) return false;
-    return makes_curve ? operation.input == InputKind::curve ||
-                             operation.input == InputKind::points_or_curve
-                       : operation.input != InputKind::curve;
+    switch (before.output) {
+        case OutputKind::curve: return takes_curve(operation.input);
+        case OutputKind::rows: return takes_rows(operation.input);
+        case OutputKind::surface: return takes_surface(operation.input);
+        default: return false;
+    }
 }
 
 StepInput named_input(const Step& step, const std::string& text, const std::vector<Step>& before,
@@ -132,13 +134,16 @@ StepInput input_at(const Step& step, const Value& value, const std::vector<Step>
                    const std::set<std::string>& names) {
     if (value.text()) return named_input(step, text_at(step, "input", value), before, names);
     if (!value.list() && !value.map()) {
-        throw entry_error(step.place, "input", "must be a file, a step's name, points or a curve");
+        throw entry_error(step.place, "input",
+                          "must be a file, a step's name, rows, a curve or a surface");
     }
-    const bool is_curve = value.map() != nullptr;
     const InputKind taken = step.operation->input;
-    const bool takes_rows_only = taken == InputKind::points || taken == InputKind::table;
-    if (is_curve ? takes_rows_only : taken == InputKind::curve) {
-        throw Error("job.input", step.place + ", input", is_curve ? "a curve" : "points",
+    const bool is_taken = is_surface(value) ? takes_surface(taken)
+                          : value.map()     ? takes_curve(taken)
+                                            : takes_rows(taken);
+    if (!is_taken) {
+        throw Error("job.input", step.place + ", input",
+                    is_surface(value) ? "a surface" : value.map() ? "a curve" : "points",
                     std::string(step.operation->name) + " does not take these");
     }
     try {

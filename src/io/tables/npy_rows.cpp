@@ -5,6 +5,7 @@
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
+#include "io/tables/npy_grid.hpp"
 #include "io/tables/text_rows.hpp"
 #include "io/tables/utf8.hpp"
 
@@ -222,6 +223,26 @@ Table read_npy(std::string_view bytes, const std::string& source) {
         }
     }
     return table;
+}
+
+NpyGrid read_npy_grid(std::string_view bytes, const std::string& source) {
+    const Body body = parts(bytes, source);
+    const std::vector<std::size_t>& shape = body.header.shape;
+    if (shape.size() != 2 || shape[0] == 0 || shape[1] == 0) {
+        throw Error("npy.shape", source, std::to_string(shape.size()) + " dimensions",
+                    "a grid is an array of two dimensions that holds something");
+    }
+    require_body(body, shape[0], shape[1], source);
+    NpyGrid grid{shape[0], shape[1], std::vector<double>(shape[0] * shape[1])};
+    for (std::size_t i = 0; i < grid.rows; ++i) {
+        for (std::size_t k = 0; k < grid.columns; ++k) {
+            const std::size_t place =
+                body.header.is_fortran ? k * grid.rows + i : i * grid.columns + k;
+            grid.values[i * grid.columns + k] =
+                number_at(body.bytes.data() + place * body.header.width, body.header);
+        }
+    }
+    return grid;
 }
 
 }  // namespace batten::tables

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "batten/base/tolerance.hpp"
+#include "batten/shape/curve.hpp"
+#include "batten/shape/spline_surface.hpp"
+
+namespace batten {
+
+/// One line of equal height. It runs with the higher ground on its left, so that it goes round
+/// hills counter-clockwise.
+struct Contour {
+    double level = 0;
+    Curve curve;  ///< cubic pieces, the parameter is the length of their chords
+};
+
+/// All lines where S(x, y) = level, traced on the spline: from border to border or closed.
+///
+/// Aim:    no point of a line farther than `tolerance` (relative: of the larger side of the domain)
+///         from the level; joints and directions there exact. Lines do not cross: their topology is
+///         that of the signs on a lattice, `8 a knot interval` and 64 a side at least. Hills and
+///         islands smaller than a cell of it can be missed; saddles between are told by their
+///         middle.
+/// Where the surface is flat at the level, the border of what is above.
+/// Cost:   one evaluation of the lattice and about 10 values a joint.
+/// Throws: `surface.degree` for degree 0, `number.overflow`.
+/// Source: marching squares [LorensenCline1987], each crossing found on the spline itself.
+std::vector<Contour> contours(const SplineSurface& surface, double level,
+                              Tolerance tolerance = relative(1e-6));
+
+/// `count` round levels inside the range of the surface on a lattice.
+std::vector<double> round_levels(const SplineSurface& surface, int count);
+
+}  // namespace batten

@@ -1,0 +1,134 @@
+#include "batten/measure/contours.hpp"
+
+#include <algorithm>
+#include <concepts>
+
+#include "api/row.hpp"
+#include "api/surface_picture.hpp"
+#include "batten/io/curve_file.hpp"
+#include "batten/io/dxf.hpp"
+#include "batten/io/json.hpp"
+#include "batten/measure/length.hpp"
+
+namespace batten::api {
+namespace {
+
+struct ContourOptions {
+    std::vector<double> levels;
+    int count = 10;
+    Tolerance tolerance = relative(1e-6);
+};
+
+template <class Options, class Visit>
+    requires std::same_as<std::remove_const_t<Options>, ContourOptions>
+void visit_fields(Options& o, Visit&& visit) {
+    visit("levels", o.levels, anything, "the heights of the lines");
+    visit("count", o.count, between(1, 1000), "about so many round levels, where none are given");
+    visit("tolerance", o.tolerance, anything, "how far a line may be from its level");
+}
+
+struct ContourSummary {
+    double level = 0;
+    bool closed = false;
+    double length = 0;
+    std::size_t joints = 0;
+};
+
+template <class Visit>
+void visit_fields(const ContourSummary& r, Visit&& visit) {
+    visit("level", r.level, "height of the line");
+    visit("closed", r.closed, "whether it returns to its start");
+    visit("length", r.length, "arc length");
+    visit("joints", r.joints, "points exactly on the level");
+}
+
+struct ContourReport {
+    std::vector<double> levels;
+    std::vector<ContourSummary> lines;
+};
+
+template <class Visit>
+void visit_fields(const ContourReport& r, Visit&& visit) {
+    visit("levels", r.levels, "the heights");
+    visit("lines", r.lines, "what the lines are");
+}
+
+const SplineSurface& product_input(std::span<const Input> inputs) {
+    const SplineSurface* surface = std::get_if<SplineSurface>(&surface_input(inputs));
+    if (!surface) {
+        throw Error("input.kind", "input", "a surface with curved knot lines",
+                    "this operation takes a tensor product");
+    }
+    return *surface;
+}
+
+/// Joints row after row.
+Rows rows_of(const std::vector<Contour>& lines) {
+    Rows rows{{"line", "level", "x", "y"}, Points(0, 4)};
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        for (const double t : lines[k].curve.breaks()) {
+            const std::vector<double> p = lines[k].curve(t);
+            rows.cells.push_back(
+                std::vector<double>{static_cast<double>(k), lines[k].level, p[0], p[1]});
+        }
+    }
+    return rows;
+}
+
+std::vector<Curve> curves_of(const std::vector<Contour>& lines) {
+    std::vector<Curve> curves;
+    for (const Contour& line : lines) curves.push_back(line.curve);
+    return curves;
+}
+
+/// One line is a curve file, which every verb reads; several are a list of such.
+std::string json_of(const std::vector<Contour>& lines) {
+    if (lines.size() == 1) return dump_json(curve_value(lines.front().curve));
+    ValueList list;
+    for (const Contour& line : lines) {
+        list.push_back(ValueMap{{"level", line.level}, {"curve", curve_value(line.curve)}});
+    }
+    return dump_json(ValueMap{{"format", "batten.contours/1"}, {"lines", std::move(list)}});
+}
+
+Drawing contour_picture(const std::vector<Contour>& lines) {
+    Drawing drawing;
+    Panel& panel = drawing.panels.front();
+    panel.kind = PanelKind::chart;
+    panel.x_label = "x";
+    panel.y_label = "y";
+    add_contours(panel, lines);
+    return drawing;
+}
+
+Outcome run(std::span<const Input> inputs, const ContourOptions& options) {
+    const SplineSurface& surface = product_input(inputs);
+    ContourReport report;
+    report.levels = options.levels.empty() ? round_levels(surface, options.count) : options.levels;
+    std::vector<Contour> lines;
+    for (const double level : report.levels) {
+        for (Contour& line : contours(surface, level, options.tolerance)) {
+            report.lines.push_back({level, line.curve.is_closed(), length(line.curve).value,
+                                    line.curve.breaks().size()});
+            lines.push_back(std::move(line));
+        }
+    }
+    return {rows_of(lines),
+            Status::met,
+            {},
+            report_value(report),
+            [lines] { return contour_picture(lines); },
+            {{"json", [lines] { return json_of(lines); }},
+             {"dxf", [lines] { return dxf(curves_of(lines)); }},
+             {"svg", [lines] { return svg(contour_picture(lines)); }}}};
+}
+
+}  // namespace
+
+Operation contour_row() {
+    return row<ContourOptions>({"contour", "lines of equal height of a surface",
+                                InputKind::surface, OutputKind::rows},
+                               run);
+}
+
+}  // namespace batten::api

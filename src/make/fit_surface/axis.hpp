@@ -1,0 +1,50 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "batten/shape/basis.hpp"
+#include "num/banded_qr.hpp"
+#include "num/tensor.hpp"
+
+namespace batten::surface_fitting {
+
+/// One direction of a surface fit: the splines at the grid's lines, and the triangle R of their
+/// weighted matrix A = Q R.
+class Axis {
+public:
+    /// `used`: the lines that hold any node, for telling which splines the data determine.
+    Axis(BSplineBasis basis, std::span<const double> lines, std::span<const double> weights,
+         std::span<const double> used);
+
+    const BSplineBasis& basis() const { return basis_; }
+    std::size_t functions() const { return basis_.size(); }
+    /// The splines as they are, times the weight, times its square.
+    const num::TensorSide& plain() const { return plain_; }
+    const num::TensorSide& weighted() const { return weighted_; }
+    const num::TensorSide& normal() const { return normal_; }
+    /// Splines without a line of their own, rising; the triangle is then made regular by faint
+    /// differences, which continue the surface smoothly.
+    const std::vector<int>& open() const { return open_; }
+
+    /// The largest diagonal of the triangle over the smallest.
+    double spread() const;
+    /// (A^T A)^-1 on the first index of a functions() x width matrix.
+    void invert_rows(std::span<double> matrix, std::size_t width) const;
+    /// R^-T on the first index: half of it.
+    void forward_rows(std::span<double> matrix, std::size_t width) const;
+
+private:
+    BSplineBasis basis_;
+    num::TensorSide plain_, weighted_, normal_;
+    num::BandedQr triangle_;
+    std::vector<int> open_;
+};
+
+/// The B-splines over breaks, each inner one a simple knot.
+BSplineBasis basis_over(std::span<const double> breaks, int degree);
+
+/// Whether the used lines determine all splines over these knots.
+bool is_determined(const BSplineBasis& basis, std::span<const double> used);
+
+}  // namespace batten::surface_fitting

@@ -1,0 +1,240 @@
+#include "make/fit_surface/choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "batten/base/error.hpp"
+#include "batten/base/text.hpp"
+#include "make/fit_surface/lattice.hpp"
+
+namespace batten::surface_fitting {
+namespace {
+
+constexpr int least_strips = 45;  // in both directions together, as for curves
+
+/// What decides on the number of strips.
+struct Target {
+    StopRule rule = StopRule::bic;
+    Psi phi{};
+    std::array<int, 2> exactly{};  ///< 0: the rule decides
+    double delta2 = 0;             ///< 0: not asked
+};
+
+bool is_by_criterion(StopRule rule) {
+    return rule != StopRule::distribution && rule != StopRule::chi2 && rule != StopRule::none;
+}
+
+double criterion_of(StopRule rule, const SurfaceStep& step) {
+    switch (rule) {
+        case StopRule::aic: return step.aic;
+        case StopRule::aicc: return step.aicc;
+        case StopRule::gcv: return step.gcv;
+        default: return step.bic;
+    }
+}
+
+SurfaceStep step_of(const Lattice& lattice) {
+    const Nodes& nodes = lattice.nodes();
+    const Misfit& misfit = lattice.misfit();
+    const FitCriteria c =
+        fit_criteria(misfit.delta2, nodes.count, lattice.parameters(),
+                     nodes.sigma_known ? SigmaKnowledge::known : SigmaKnowledge::unknown);
+    SurfaceStep step;
+    step.intervals = {lattice.x_strips(), lattice.y_strips()};
+    step.parameters = lattice.parameters();
+    step.delta2 = misfit.delta2;
+    step.sigma2 = c.sigma2.value_or(0);
+    step.aic = c.aic;
+    step.bic = c.bic;
+    step.aicc = c.aicc;
+    step.gcv = c.gcv;
+    step.psi.assign(misfit.psi.begin(), misfit.psi.end());
+    return step;
+}
+
+/// The search for lines: what there was, and whether to go on.
+class LineSearch {
+public:
+    LineSearch(Lattice& lattice, const Target& target) : lattice_(lattice), target_(target) {}
+
+    bool step_wants_more() {
+        lattice_.refit();
+        steps_.push_back(step_of(lattice_));
+        x_breaks_.push_back(lattice_.x_breaks());
+        y_breaks_.push_back(lattice_.y_breaks());
+        return wants_more(steps_.back());
+    }
+
+    SurfaceChoice finish() {
+        std::size_t chosen = steps_.size() - 1;
+        const bool is_free = target_.exactly[0] == 0 && target_.delta2 == 0;
+        if (is_free && is_by_criterion(target_.rule)) {
+            for (std::size_t i = steps_.size(); i-- > 0;) {
+                if (value(i) <= value(chosen)) chosen = i;
+            }
+        }
+        const int degree = lattice_.degree();
+        return {clamped_knots(x_breaks_[chosen], degree), clamped_knots(y_breaks_[chosen], degree),
+                std::move(steps_), {}, 0, is_met_};
+    }
+
+private:
+    double value(std::size_t i) const { return criterion_of(target_.rule, steps_[i]); }
+
+    bool wants_more(const SurfaceStep& step) {
+        const std::size_t count = lattice_.nodes().count;
+        if (target_.exactly[0] > 0) {
+            is_met_ = step.intervals == target_.exactly;
+            return !is_met_;
+        }
+        const double degrees = static_cast<double>(count) - step.parameters;
+        if (target_.delta2 > 0) {
+            is_met_ = step.delta2 <= target_.delta2;
+        } else if (target_.rule == StopRule::distribution) {
+            is_met_ = is_distributed(step.psi, target_.phi);
+        } else if (target_.rule == StopRule::chi2) {
+            is_met_ = degrees > 0 && step.delta2 <= chi2_quantile(0.05, degrees);
+        } else {
+            return reaches_on(step);
+        }
+        return !is_met_;
+    }
+
+    bool reaches_on(const SurfaceStep& step) {
+        if (steps_.size() == 1 || value(steps_.size() - 1) < best_) {
+            best_ = value(steps_.size() - 1);
+            best_strips_ = step.intervals[0] + step.intervals[1];
+        }
+        // Where delta2 enters by its logarithm, interpolation would always win.
+        const bool is_bounded = target_.rule == StopRule::bic && lattice_.nodes().sigma_known;
+        const std::size_t twice = 2 * static_cast<std::size_t>(step.parameters);
+        if (!is_bounded && twice > lattice_.nodes().count) return false;
+        return step.intervals[0] + step.intervals[1] < std::max(least_strips, 2 * best_strips_);
+    }
+
+    Lattice& lattice_;
+    const Target& target_;
+    std::vector<SurfaceStep> steps_;
+    std::vector<std::vector<double>> x_breaks_, y_breaks_;
+    double best_ = 0;
+    int best_strips_ = 2;
+    bool is_met_ = true;
+};
+
+SurfaceChoice insert_lines(Lattice& lattice, const Target& target) {
+    LineSearch search(lattice, target);
+    while (search.step_wants_more()) {
+        const std::optional<Lattice::Strip> strip = lattice.worst(target.exactly);
+        const std::size_t next = static_cast<std::size_t>(lattice.parameters());
+        if (!strip || next >= lattice.nodes().count) break;
+        lattice.split(*strip);
+    }
+    return search.finish();
+}
+
+SurfaceChoice equal_lines(Lattice& lattice, const Target& target) {
+    if (target.exactly[0] > 0 && !lattice.set_equal(target.exactly[0], target.exactly[1])) {
+        throw Error("fit.too-few", "intervals",
+                    std::to_string(target.exactly[0]) + "," + std::to_string(target.exactly[1]),
+                    "the nodes do not determine so many strips");
+    }
+    if (target.exactly[0] > 0) {
+        return {clamped_knots(lattice.x_breaks(), lattice.degree()),
+                clamped_knots(lattice.y_breaks(), lattice.degree()), {}, {}, 0, true};
+    }
+    LineSearch search(lattice, target);
+    while (search.step_wants_more()) {
+        const int m = lattice.x_strips(), n = lattice.y_strips();
+        const bool is_x = lattice.is_x_worse();
+        if (!lattice.set_equal(m + is_x, n + !is_x) && !lattice.set_equal(m + !is_x, n + is_x)) {
+            break;
+        }
+    }
+    return search.finish();
+}
+
+/// The full vector from knots as given: interior ones, or the ends too.
+std::vector<double> given_knots(std::span<const double> given, std::span<const double> lines,
+                                int degree, const char* name) {
+    std::vector<double> inside;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const bool is_end = given[i] == lines.front() || given[i] == lines.back();
+        const bool is_inside = lines.front() < given[i] && given[i] < lines.back();
+        const bool rises = i == 0 || given[i - 1] <= given[i];
+        if (!rises || !(is_end || is_inside)) {
+            throw Error("fit.knots", std::string(name) + ' ' + std::to_string(i),
+                        format_number(given[i]),
+                        "knots must not fall and lie between the first and the last line");
+        }
+        if (is_inside) inside.push_back(given[i]);
+    }
+    const std::size_t most = static_cast<std::size_t>(std::max(degree, 1));
+    for (std::size_t i = most; i < inside.size(); ++i) {
+        if (inside[i - most] < inside[i]) continue;
+        throw Error("fit.knots", name, format_number(inside[i]),
+                    "a knot line is repeated at most " + std::to_string(most) + " times");
+    }
+    std::vector<double> knots(static_cast<std::size_t>(degree) + 1, lines.front());
+    knots.insert(knots.end(), inside.begin(), inside.end());
+    knots.insert(knots.end(), static_cast<std::size_t>(degree) + 1, lines.back());
+    return knots;
+}
+
+Target target_of(const FitSurfaceOptions& options) {
+    Target target{options.stop, error_distribution(options.distribution)};
+    target.delta2 = options.delta2.value_or(0);
+    if (options.intervals.empty()) return target;
+    if (options.intervals.size() != 2) {
+        throw Error("fit.intervals", "intervals", std::to_string(options.intervals.size()),
+                    "two numbers M,N are needed");
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double n = options.intervals[i];
+        if (!(n >= 1) || n != std::floor(n) || n > 1e5) {
+            throw Error("fit.intervals", "intervals", format_number(n),
+                        "must be a whole number from 1 to 1e5");
+        }
+        target.exactly[i] = static_cast<int>(n);
+    }
+    return target;
+}
+
+void require_surface_options(const FitSurfaceOptions& options) {
+    if (options.degree < 0 || options.degree > 9) {
+        throw Error("option.range", "degree", std::to_string(options.degree),
+                    "must lie between 0 and 9");
+    }
+    if (options.knots == SurfaceKnots::curved) {
+        throw Error("fit.options", "knots", "curved", "curved knot lines are made by fit_front");
+    }
+    const bool has_lines = !options.x_knots.empty() || !options.y_knots.empty();
+    if (has_lines && !options.intervals.empty()) {
+        throw Error("fit.options", "intervals", "given", "given knot lines are already so many");
+    }
+}
+
+}  // namespace
+
+std::vector<double> clamped_knots(std::span<const double> breaks, int degree) {
+    std::vector<double> knots(static_cast<std::size_t>(degree), breaks.front());
+    knots.insert(knots.end(), breaks.begin(), breaks.end());
+    knots.insert(knots.end(), static_cast<std::size_t>(degree), breaks.back());
+    return knots;
+}
+
+SurfaceChoice choose_lines(const Nodes& nodes, const FitSurfaceOptions& options) {
+    require_surface_options(options);
+    const Target target = target_of(options);
+    const bool has_lines = !options.x_knots.empty() || !options.y_knots.empty();
+    SurfaceChoice choice;
+    if (has_lines || options.knots == SurfaceKnots::given) {
+        choice.x_knots = given_knots(options.x_knots, nodes.x, options.degree, "x_knots");
+        choice.y_knots = given_knots(options.y_knots, nodes.y, options.degree, "y_knots");
+        return choice;
+    }
+    Lattice lattice(nodes, options.degree, options.rule);
+    return options.knots == SurfaceKnots::equal ? equal_lines(lattice, target)
+                                                : insert_lines(lattice, target);
+}
+
+}  // namespace batten::surface_fitting

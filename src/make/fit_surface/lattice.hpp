@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "make/fit_surface/solve.hpp"
+
+namespace batten::surface_fitting {
+
+/// Knot lines of a surface that grow one at a time, with their solution and its misfit.
+class Lattice {
+public:
+    Lattice(const Nodes& nodes, int degree, StripRule rule);
+
+    int degree() const { return degree_; }
+    const Nodes& nodes() const { return *nodes_; }
+    const std::vector<double>& x_breaks() const { return x_breaks_; }
+    const std::vector<double>& y_breaks() const { return y_breaks_; }
+    int x_strips() const { return static_cast<int>(x_breaks_.size()) - 1; }
+    int y_strips() const { return static_cast<int>(y_breaks_.size()) - 1; }
+    int parameters() const { return (x_strips() + degree_) * (y_strips() + degree_); }
+    const Solution& solution() const { return solution_; }
+    const Misfit& misfit() const { return misfit_; }
+
+    /// Solves and measures for the present lines.
+    void refit();
+
+    /// The strip with the largest measure that can be split, x before y and low before high where
+    /// they are equal; none where nothing can be split. Directions with as many strips as `most`
+    /// says are left alone (0: no limit).
+    struct Strip {
+        bool is_x = true;
+        std::size_t index = 0;
+    };
+    std::optional<Strip> worst(std::array<int, 2> most) const;
+    void split(Strip strip);
+
+    /// Strips of equal width, if the nodes determine splines over them.
+    bool set_equal(int x_strips, int y_strips);
+    /// Which direction's strips fit worse as a whole.
+    bool is_x_worse() const;
+
+private:
+    bool can_split(const std::vector<double>& breaks, std::size_t strip,
+                   const std::vector<double>& used) const;
+    void set(std::vector<double> x_breaks, std::vector<double> y_breaks);
+
+    const Nodes* nodes_;
+    int degree_;
+    StripRule rule_;
+    std::vector<double> used_x_, used_y_, x_breaks_, y_breaks_;
+    std::unique_ptr<Axis> x_, y_;
+    Solution solution_;
+    Misfit misfit_;
+};
+
+}  // namespace batten::surface_fitting

@@ -1,0 +1,115 @@
+#include "make/fit_surface/shape_of_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace batten::surface_fitting {
+namespace {
+
+constexpr std::size_t most_places = 64;  // a sample of the grid's lines is enough for a share
+
+std::vector<double> thinned(std::span<const double> lines) {
+    const std::size_t step = (lines.size() + most_places - 1) / most_places;
+    std::vector<double> places;
+    for (std::size_t i = 0; i < lines.size(); i += step) places.push_back(lines[i]);
+    return places;
+}
+
+double additive_rest(const Grid& z) {
+    const std::size_t m = z.nu(), n = z.nv();
+    std::vector<double> row(m, 0.0), column(n, 0.0);
+    double mean = 0;
+    for (std::size_t i = 0; i < m; ++i) {
+        for (std::size_t j = 0; j < n; ++j) {
+            row[i] += z(i, j) / static_cast<double>(n);
+            column[j] += z(i, j) / static_cast<double>(m);
+            mean += z(i, j) / static_cast<double>(m * n);
+        }
+    }
+    double all = 0, rest = 0;
+    for (std::size_t i = 0; i < m; ++i) {
+        for (std::size_t j = 0; j < n; ++j) {
+            const double deviation = z(i, j) - mean;
+            const double interaction = z(i, j) - row[i] - column[j] + mean;
+            all += deviation * deviation;
+            rest += interaction * interaction;
+        }
+    }
+    return all > 0 ? std::min(1.0, rest / all) : 0;
+}
+
+/// 1 less the largest squared singular value's share, by power iteration.
+double product_rest(const Grid& z) {
+    const std::size_t m = z.nu(), n = z.nv();
+    double all = 0;
+    std::vector<double> v(n, 0.0), u(m);
+    for (std::size_t i = 0; i < m; ++i) {
+        for (std::size_t j = 0; j < n; ++j) {
+            all += z(i, j) * z(i, j);
+            v[j] += std::fabs(z(i, j));
+        }
+    }
+    double largest_sq = 0;
+    for (int round = 0; round < 200 && all > 0; ++round) {
+        double norm_sq = 0;
+        for (const double x : v) norm_sq += x * x;
+        for (std::size_t i = 0; i < m; ++i) {
+            u[i] = 0;
+            for (std::size_t j = 0; j < n; ++j) u[i] += z(i, j) * v[j];
+            u[i] /= std::sqrt(norm_sq);
+        }
+        double next = 0;
+        for (const double x : u) next += x * x;
+        std::fill(v.begin(), v.end(), 0.0);
+        for (std::size_t i = 0; i < m; ++i) {
+            for (std::size_t j = 0; j < n; ++j) v[j] += z(i, j) * u[i];
+        }
+        const bool is_still = std::fabs(next - largest_sq) <= 1e-12 * all;
+        largest_sq = next;
+        if (is_still) break;
+    }
+    return all > 0 ? std::max(0.0, 1 - largest_sq / all) : 0;
+}
+
+std::vector<double> middles(std::span<const double> lines) {
+    std::vector<double> result;
+    for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+        result.push_back(Interval{lines[i], lines[i + 1]}.middle());
+    }
+    return result;
+}
+
+}  // namespace
+
+Separability separability(const SplineSurface& surface, std::span<const double> x,
+                          std::span<const double> y) {
+    const Grid z = surface.evaluate(thinned(x), thinned(y));
+    return {additive_rest(z), product_rest(z)};
+}
+
+double oscillation(const SplineSurface& surface, std::span<const double> x,
+                   std::span<const double> y) {
+    const std::span<const double> xs = x.first(std::min(x.size(), most_places));
+    const std::span<const double> ys = y.first(std::min(y.size(), most_places));
+    const Grid nodes = surface.evaluate(xs, ys);
+    const Grid between = surface.evaluate(middles(xs), middles(ys));
+    double fine = 0, coarse = 0, cells = 0, blocks = 0;
+    for (std::size_t i = 0; i + 1 < xs.size(); ++i) {
+        for (std::size_t j = 0; j + 1 < ys.size(); ++j) {
+            const double corners = nodes(i, j) + nodes(i + 1, j) + nodes(i, j + 1) +
+                                   nodes(i + 1, j + 1);
+            const double gap = between(i, j) - 0.25 * corners;
+            fine += gap * gap;
+            cells += 1;
+            if (i == 0 || j == 0) continue;
+            const double around = nodes(i - 1, j - 1) + nodes(i + 1, j - 1) +
+                                  nodes(i - 1, j + 1) + nodes(i + 1, j + 1);
+            const double wide = 0.25 * (nodes(i, j) - 0.25 * around);
+            coarse += wide * wide;
+            blocks += 1;
+        }
+    }
+    return coarse > 0 ? std::sqrt(fine / cells / (coarse / blocks)) : 0;
+}
+
+}  // namespace batten::surface_fitting

@@ -1,0 +1,182 @@
+#include "make/fit_surface/solve.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "num/tensor.hpp"
+
+namespace batten::surface_fitting {
+namespace {
+
+/// Rows of nodes held at a time: a few hundred kilobytes for wide grids.
+constexpr std::size_t rows_at_once = 16;
+/// Where conjugate gradients stop, of the energy norm at their start.
+constexpr double small_enough = 1e-11;
+/// Of the triangles' diagonals: below, seminormal equations lose 4 digits of 16 at most.
+constexpr double harmless_spread = 100;
+
+std::vector<double> turned(const std::vector<double>& matrix, std::size_t rows,
+                           std::size_t columns) {
+    std::vector<double> result(matrix.size());
+    for (std::size_t i = 0; i < rows; ++i) {
+        for (std::size_t j = 0; j < columns; ++j) result[j * rows + i] = matrix[i * columns + j];
+    }
+    return result;
+}
+
+/// ((Ax^T Ax)^-1 x (Ay^T Ay)^-1) g.
+std::vector<double> inverted(std::vector<double> g, const Axis& x, const Axis& y) {
+    x.invert_rows(g, y.functions());
+    std::vector<double> t = turned(g, x.functions(), y.functions());
+    y.invert_rows(t, x.functions());
+    return turned(t, y.functions(), x.functions());
+}
+
+/// Both passes over the nodes that every solver needs.
+class Passes {
+public:
+    Passes(const Nodes& nodes, const Axis& x, const Axis& y)
+        : nodes_(nodes), plain_(x.plain(), y.plain()), normal_(x.normal(), y.normal()) {}
+
+    std::size_t unknowns() const {
+        return plain_.x().functions * plain_.y().functions;
+    }
+    /// A^T W (z - A c); without c A^T W z.
+    std::vector<double> gradient(const std::vector<double>* c) const {
+        if (!c && nodes_.is_full()) {
+            std::vector<double> g(unknowns(), 0.0);
+            normal_.contract(nodes_.z, {0, plain_.x().places()}, g);
+            return g;
+        }
+        return gathered([&](num::PlaceRange rows, std::span<double> out) {
+            const std::size_t width = plain_.y().places();
+            const double* const z = nodes_.z.data() + rows.first * width;
+            if (!c) {
+                std::copy_n(z, out.size(), out.begin());
+                return;
+            }
+            plain_.expand(*c, rows, out);
+            for (std::size_t k = 0; k < out.size(); ++k) out[k] = z[k] - out[k];
+        });
+    }
+    /// A^T W A c.
+    std::vector<double> normal_times(const std::vector<double>& c) const {
+        return gathered([&](num::PlaceRange rows, std::span<double> out) {
+            plain_.expand(c, rows, out);
+        });
+    }
+
+private:
+    template <class Fill>
+    std::vector<double> gathered(Fill fill) const {
+        std::vector<double> g(unknowns(), 0.0);
+        const std::size_t lines = plain_.x().places(), width = plain_.y().places();
+        std::vector<double> buffer(std::min(rows_at_once, lines) * width);
+        for (std::size_t r = 0; r < lines; r += rows_at_once) {
+            const num::PlaceRange rows{r, std::min(lines, r + rows_at_once)};
+            const std::span<double> part(buffer.data(), rows.count() * width);
+            fill(rows, part);
+            if (!nodes_.is_full()) {
+                const double* const factor = nodes_.cell_factor_sq.data() + r * width;
+                for (std::size_t k = 0; k < part.size(); ++k) part[k] *= factor[k];
+            }
+            normal_.contract(part, rows, g);
+        }
+        return g;
+    }
+
+    const Nodes& nodes_;
+    num::Tensor plain_, normal_;
+};
+
+double dot_of(const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+    return sum;
+}
+
+void add_times(std::vector<double>& to, double factor, const std::vector<double>& what) {
+    for (std::size_t i = 0; i < to.size(); ++i) to[i] += factor * what[i];
+}
+
+Solution conjugate_gradients(const Passes& passes, const Axis& x, const Axis& y) {
+    Solution result;
+    std::vector<double>& c = result.coefficients;
+    std::vector<double> rest = passes.gradient(nullptr);
+    std::vector<double> direction = inverted(rest, x, y);
+    c.assign(rest.size(), 0.0);
+    double energy = dot_of(rest, direction);
+    const double target = small_enough * small_enough * energy;
+    const int most = 100 + 10 * static_cast<int>(c.size());
+    while (energy > target && result.iterations < most) {
+        const std::vector<double> image = passes.normal_times(direction);
+        const double curvature = dot_of(direction, image);
+        if (!(curvature > 0)) break;
+        const double step = energy / curvature;
+        add_times(c, step, direction);
+        add_times(rest, -step, image);
+        ++result.iterations;
+        std::vector<double> fresh = inverted(rest, x, y);
+        const double next = dot_of(rest, fresh);
+        add_times(fresh, next / energy, direction);
+        direction = std::move(fresh);
+        energy = next;
+    }
+    result.is_converged = energy <= target;
+    return result;
+}
+
+}  // namespace
+
+Solution solve(const Nodes& nodes, const Axis& x, const Axis& y, Corrected corrected) {
+    const Passes passes(nodes, x, y);
+    if (!nodes.is_full()) return conjugate_gradients(passes, x, y);
+    Solution result{inverted(passes.gradient(nullptr), x, y)};
+    const bool is_harmless = x.spread() * y.spread() <= harmless_spread;
+    if (corrected == Corrected::where_needed && !is_harmless) {
+        add_times(result.coefficients, 1,
+                  inverted(passes.gradient(&result.coefficients), x, y));
+    }
+    return result;
+}
+
+std::vector<double> residuals(const Nodes& nodes, const Axis& x, const Axis& y,
+                              const std::vector<double>& c) {
+    std::vector<double> e(nodes.z.size());
+    num::Tensor(x.plain(), y.plain()).expand(c, {0, nodes.x.size()}, e);
+    for (std::size_t k = 0; k < e.size(); ++k) {
+        const bool counts = nodes.is_full() || nodes.cell_factor_sq[k] > 0;
+        e[k] = counts ? nodes.z[k] - e[k] : 0;
+    }
+    return e;
+}
+
+std::vector<std::array<int, 2>> open_coefficients(const Nodes& nodes, const Axis& x,
+                                                  const Axis& y) {
+    std::vector<std::array<int, 2>> open;
+    std::vector<double> present(x.functions() * y.functions(), 1.0);
+    if (!nodes.is_full()) {
+        // The columns' square sums, found like a right-hand side from the squares of the splines.
+        num::TensorSide a = x.weighted(), b = y.weighted();
+        for (double& value : a.values) value *= value;
+        for (double& value : b.values) value *= value;
+        std::fill(present.begin(), present.end(), 0.0);
+        num::Tensor(a, b).contract(nodes.cell_factor_sq, {0, nodes.x.size()}, present);
+    }
+    const double largest = *std::max_element(present.begin(), present.end());
+    constexpr double nothing = 1e-20;  // a column norm of 1e-10 of the largest
+    const auto is_in = [](const std::vector<int>& list, std::size_t i) {
+        return std::binary_search(list.begin(), list.end(), static_cast<int>(i));
+    };
+    for (std::size_t i = 0; i < x.functions(); ++i) {
+        for (std::size_t j = 0; j < y.functions(); ++j) {
+            const bool is_empty = present[i * y.functions() + j] <= nothing * largest;
+            if (is_empty || is_in(x.open(), i) || is_in(y.open(), j)) {
+                open.push_back({static_cast<int>(i), static_cast<int>(j)});
+            }
+        }
+    }
+    return open;
+}
+
+}  // namespace batten::surface_fitting

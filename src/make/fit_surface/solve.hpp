@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "batten/make/fit_statistics.hpp"
+#include "make/fit_surface/axis.hpp"
+#include "make/fit_surface/nodes.hpp"
+
+namespace batten::surface_fitting {
+
+/// The coefficients for one pair of knot vectors.
+struct Solution {
+    std::vector<double> coefficients;
+    int iterations = 0;
+    bool is_converged = true;
+};
+
+/// Solves the normal equations. Full grids: (A^T A)^-1 in each direction, and one correction by
+/// the residuals where weights or knots are so uneven that it matters and it is asked for. Else conjugate gradients, preconditioned by the same.
+///
+/// Source: corrected seminormal equations [Bjorck1987]; [HestenesStiefel1952].
+enum class Corrected { no, where_needed };
+Solution solve(const Nodes& nodes, const Axis& x, const Axis& y, Corrected corrected);
+
+/// What the residuals of a solution say.
+struct Misfit {
+    double delta2 = 0;
+    Psi psi{};
+    double max_residual = 0;
+    std::vector<double> x_strips, y_strips;  ///< the rule's measure of every strip
+};
+
+/// One pass over the nodes; strips are measured where `rule` is given.
+Misfit misfit(const Nodes& nodes, const Axis& x, const Axis& y, const std::vector<double>& c,
+              std::optional<StripRule> rule);
+
+/// z - S at all nodes, data units (0 where there is none).
+std::vector<double> residuals(const Nodes& nodes, const Axis& x, const Axis& y,
+                              const std::vector<double>& c);
+
+/// Coefficients in whose support no node counts, as i, j.
+std::vector<std::array<int, 2>> open_coefficients(const Nodes& nodes, const Axis& x, const Axis& y);
+
+}  // namespace batten::surface_fitting

@@ -1,0 +1,89 @@
+#include "batten/make/fit_front.hpp"
+#include "surface_samples.hpp"
+
+/// Surfaces with a front along a curve.
+namespace batten {
+namespace {
+
+using namespace testing;
+
+constexpr const char* scintillator = "reference/fitting/scintillator_like.csv";
+
+double front_of(double y) { return 0.22 + 0.5 * y + 0.07 * std::sin(2 * std::numbers::pi * y); }
+
+/// Two slanted plains and a front of half-width w between them.
+double plains(double x, double y, double w) {
+    return 0.4 + 0.2 * std::sin(2 * x) * (1 - 0.5 * y) +
+           (0.9 + 0.2 * y - 0.3 * x) * 0.5 * (1 - std::tanh((x - front_of(y)) / w));
+}
+
+struct Trial {
+    FrontFit fit;
+    double noise_sigma2 = 0;  ///< what the truth leaves of the same data
+    double distance = 0;      ///< rms to the truth between the nodes
+};
+
+Trial trial(double w, double sigma) {
+    const auto truth = [w](double x, double y) { return plains(x, y, w); };
+    const SurfaceTable table = surface_of(truth, 156, 21, sigma, 4);
+    FitFrontOptions options;
+    options.sigma = sigma;
+    Trial result{fit_front(table.view(), options)};
+    for (std::size_t i = 0; i < 156; ++i) {
+        for (std::size_t j = 0; j < 21; ++j) {
+            const double e = (table.z(i, j) - truth(table.x[i], table.y[j])) / sigma;
+            result.noise_sigma2 += e * e / (156 * 21);
+        }
+    }
+    double sum = 0;
+    for (int i = 0; i < 500; ++i) {
+        for (int j = 0; j < 40; ++j) {
+            const double x = (i + 0.5) / 500, y = (j + 0.5) / 40;
+            const double e = result.fit.surface(x, y) - truth(x, y);
+            sum += e * e / (500 * 40);
+        }
+    }
+    result.distance = std::sqrt(sum);
+    return result;
+}
+
+TEST(Front, NeedsEightyParametersWhereATensorProductNeedsThousands) {
+    SKIP_UNLESS_SHARED(scintillator);
+    const SurfaceTable table = surface_table("scintillator_like");
+    FitFrontOptions options;
+    options.sigma = 0.01;
+    const FrontReport r = fit_front(table.view(), options).report;
+    EXPECT_LE(r.sigma2, 1.15);
+    EXPECT_LE(r.parameters + r.line_parameters, 80);
+    EXPECT_TRUE(r.has_front);
+    EXPECT_LT(r.bic, r.tensor_bic / 2);
+}
+
+TEST(Front, IsTrueBetweenTheNodesUnderNoise) {
+    const Trial clean = trial(0.006, 0.01), noisy = trial(0.006, 0.03), loud = trial(0.006, 0.1);
+    EXPECT_LE(clean.distance, 0.005);
+    EXPECT_LE(noisy.distance, 0.008);
+    EXPECT_LE(loud.distance, 0.018);
+    EXPECT_LE(noisy.fit.report.sigma2, noisy.noise_sigma2 + 0.1);
+    EXPECT_LE(loud.fit.report.sigma2, loud.noise_sigma2 + 0.1);
+}
+
+TEST(Front, ThatIsAJumpLeavesWhatTheTruthLeaves) {
+    const Trial jump = trial(0.0005, 0.01);
+    EXPECT_LE(jump.fit.report.sigma2, jump.noise_sigma2 + 0.04);
+}
+
+TEST(Front, IsNotSeenWhereThereIsNone) {
+    const auto hills = [](double x, double y) {
+        return std::exp(-20 * (x - 0.4) * (x - 0.4)) + std::sin(3 * y) * x;
+    };
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const SurfaceTable table = surface_of(hills, 61, 25, 0.02, seed);
+        FitFrontOptions options;
+        options.sigma = 0.02;
+        EXPECT_FALSE(fit_front(table.view(), options).report.has_front);
+    }
+}
+
+}  // namespace
+}  // namespace batten
