@@ -162,7 +162,23 @@ std::string text_of(const Columns& columns) {
     return text;
 }
 
-/// Heights, or columns x, y, f[, sigma] by name, as in a file.
+/// Points p[u][v] of three coordinates, as rows u, v, x, y, z of a file; lines count from 0.
+std::string text_of_nodes(const Array& nodes) {
+    std::string text = "u,v,x,y,z\n";
+    const auto columns = nodes.shape(1);
+    for (py::ssize_t i = 0; i < nodes.shape(0); ++i) {
+        for (py::ssize_t j = 0; j < columns; ++j) {
+            text += std::to_string(i) + ',' + std::to_string(j);
+            for (py::ssize_t k = 0; k < 3; ++k) {
+                text += ',' + format_number(nodes.data()[(i * columns + j) * 3 + k]);
+            }
+            text += '\n';
+        }
+    }
+    return text;
+}
+
+/// Heights, points of three coordinates, or columns by name as in a file.
 Input grid_input(py::handle object, const std::string& name) {
     if (py::isinstance<py::dict>(object)) {
         return {name, Source{name, text_of(columns_of(py::reinterpret_borrow<py::dict>(object), name))}};
@@ -172,6 +188,9 @@ Input grid_input(py::handle object, const std::string& name) {
             ? object.attr("astype")("float64").attr("filled")(std::nan(""))
             : py::reinterpret_borrow<py::object>(object);
     const Array heights = array_of(plain);
+    if (heights && heights.ndim() == 3 && heights.shape(2) == 3) {
+        return {name, Source{name, text_of_nodes(heights)}};
+    }
     if (!heights || heights.ndim() != 2) {
         throw Error("input.kind", name, type_name(object), "must be a table of heights f[x][y]");
     }

@@ -88,6 +88,7 @@
 #include "batten/io/gcode.hpp"
 #include "batten/io/grid_file.hpp"
 #include "batten/io/json.hpp"
+#include "batten/io/point_grid.hpp"
 #include "batten/io/surface_file.hpp"
 #include "batten/io/svg_arcs.hpp"
 #include "batten/io/svg_path.hpp"

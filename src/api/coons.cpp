@@ -6,6 +6,9 @@
 
 #include "api/row.hpp"
 #include "batten/base/error.hpp"
+#include "batten/io/curve_file.hpp"
+#include "batten/io/json.hpp"
+#include "batten/io/surface_file.hpp"
 #include "batten/measure/surface.hpp"
 
 namespace batten::api {
@@ -83,6 +86,27 @@ Rows samples(const CoonsPatch& patch, int count) {
         }
     }
     return rows;
+}
+
+Grid nodes_of(const CoonsPatch& patch, int count) {
+    const std::size_t n = static_cast<std::size_t>(count);
+    Grid nodes(n, n, 3);
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j) {
+            const auto point = patch.jet(double(i) / (count - 1), double(j) / (count - 1)).point;
+            for (std::size_t k = 0; k < 3; ++k) nodes(i, j, static_cast<int>(k)) = point[k];
+        }
+    }
+    return nodes;
+}
+
+/// The patch, exact: its four edges.
+std::string json_of(std::span<const Input> inputs) {
+    ValueList edges;
+    for (const Input& input : inputs) {
+        edges.push_back(curve_value(std::get<Curve>(input.content)));
+    }
+    return dump_json(ValueMap{{"format", "batten.coons/1"}, {"edges", std::move(edges)}});
 }
 
 /// The dark stripes along one v, from u = 0 to 1.
@@ -178,7 +202,13 @@ Outcome run(std::span<const Input> inputs, const CoonsOptions& options) {
     }
     return {samples(patch, options.count), Status::met, {},
             report_value(CoonsReport{{range.lo, range.hi}}),
-            [patch, view] { return picture(patch, view); }};
+            [patch, view] { return picture(patch, view); },
+            {{"json", [edges = std::vector<Input>(inputs.begin(), inputs.end())] {
+                  return json_of(edges);
+              }},
+             {"obj", [=] { return obj_mesh(nodes_of(patch, options.count)); }},
+             {"ply", [=] { return ply_mesh(nodes_of(patch, options.count)); }},
+             {"stl", [=] { return stl_mesh(nodes_of(patch, options.count)); }}}};
 }
 
 }  // namespace

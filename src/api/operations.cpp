@@ -7,10 +7,10 @@ const std::vector<Operation>& operations() {
     static const std::vector<Operation> table = {
         api::interpolate_row(), api::densify_row(),       api::thin_row(),
         api::arcs_row(),        api::sample_row(),        api::fit_row(),
-        api::fit_surface_row(), api::fair_row(),          api::log_aesthetic_row(),
-        api::coons_row(),       api::measure_row(),       api::evaluate_row(),
-        api::contour_row(),     api::compare_row(),       api::convert_row(),
-        api::draw_row(),
+        api::fit_surface_row(), api::fair_row(),          api::fair_surface_row(),
+        api::log_aesthetic_row(), api::coons_row(),       api::measure_row(),
+        api::evaluate_row(),    api::contour_row(),       api::compare_row(),
+        api::convert_row(),     api::draw_row(),
     };
     return table;
 }

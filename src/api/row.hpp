@@ -90,6 +90,7 @@ Operation sample_row();
 Operation fit_row();
 Operation coons_row();
 Operation fair_row();
+Operation fair_surface_row();
 Operation log_aesthetic_row();
 
 }  // namespace batten::api

@@ -792,6 +792,44 @@ class Surfaces(Folder):
         job[0]["input"][2].pop()
         self.refused("grid.ragged", "run", self.file("job.json", json.dumps(job)))
 
+    def nodes(self):
+        rows = ["v,u,z,x,y"]
+        for i in range(9):
+            for j in range(8):
+                u, v = 0.1 * i, 0.1 * j
+                bump = 0.001 * ((7 * i + 5 * j) % 3 - 1) if 0 < i < 8 and 0 < j < 7 else 0
+                rows.append(f"{j},{i},{math.sin(v) + bump},{math.cos(v) * math.cos(u)},"
+                            f"{math.cos(v) * math.sin(u)}")
+        return self.file("nodes.csv", "\n".join(rows) + "\n")
+
+    def test_a_grid_of_points_is_made_fair(self):
+        report = self.report("fair-surface", self.nodes(), "-o", self.path("fair.csv"),
+                             "--draw", self.path("fair.svg"))
+        self.assertAlmostEqual(report["report"]["gaussian_curvature"]["rms"], 1, delta=0.1)
+        with open(self.path("fair.csv"), encoding="utf-8") as stream:
+            lines = stream.read().splitlines()
+        self.assertEqual(lines[0], "u,v,x,y,z,gaussian,mean")
+        self.assertEqual(len(lines), 73)
+        self.good("fair-surface", self.path("fair.csv"), "-o", self.path("again.csv"))
+        for form in ("obj", "ply", "stl"):
+            self.good("fair-surface", self.nodes(), "-o", self.path("fair." + form))
+        heights = self.report("fair-surface", self.grid(), "--border", "g1", "-o",
+                              self.path("heights.csv"))
+        self.assertLess(heights["report"]["max_displacement"], 1e-3)
+
+    def test_the_papers_step_is_told_unstable(self):
+        done = self.run_command("fair-surface", self.nodes(), "--engine", "filter", "-o",
+                               self.path("fair.csv"))
+        self.assertEqual(done.returncode, 3)
+
+    def test_holes_of_a_grid_of_points_are_refused(self):
+        with open(self.nodes(), encoding="utf-8") as stream:
+            lines = stream.read().splitlines()
+        self.refused("grid.holes", "fair-surface",
+                     self.file("holed.csv", "\n".join(lines[:20] + lines[21:]) + "\n"))
+        self.refused("grid.not-a-grid", "fair-surface",
+                     self.file("twice.csv", "\n".join(lines + lines[-1:]) + "\n"))
+
     def test_what_is_no_grid_is_refused(self):
         bad = self.file("bad.csv", "x,y,f\n0,0,1\n0,1,1\n1,0,1\n")
         self.refused("grid.not-a-grid", "fit-surface", bad)

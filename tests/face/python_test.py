@@ -318,6 +318,18 @@ class Surfaces(unittest.TestCase):
         self.assertEqual(made.surface.json, surface)
         self.assertEqual(json.loads(made.to_json()), json.loads(report))
 
+    def test_an_array_of_nodes_is_made_fair(self):
+        u, v = numpy.meshgrid(numpy.linspace(0, 1, 12), numpy.linspace(0, 1, 10), indexing="ij")
+        nodes = numpy.stack([numpy.cos(v) * numpy.cos(u), numpy.cos(v) * numpy.sin(u),
+                             numpy.sin(v)], axis=-1)
+        noise = 1e-3 * numpy.random.RandomState(1).normal(size=(10, 8, 3))
+        noisy = nodes.copy()
+        noisy[1:-1, 1:-1] += noise
+        made = batten.fair_surface(noisy, sigma=1e-3)
+        fair = made.points[:, 2:5].reshape(nodes.shape)
+        self.assertLess(numpy.linalg.norm(fair - nodes), 0.6 * numpy.linalg.norm(noise))
+        numpy.testing.assert_array_equal(fair[0], nodes[0])
+
     def test_what_is_no_grid_is_refused(self):
         for bad, code in ((numpy.zeros(5), "input.kind"), (numpy.zeros((1, 5)), "grid.too-small"),
                           (numpy.full((5, 5), numpy.inf), "grid.cell")):

@@ -6,91 +6,138 @@
 #include "batten/base/error.hpp"
 #include "batten/make/fair_surface.hpp"
 #include "errors.hpp"
-#include "numpy_random.hpp"
+#include "surface_grids.hpp"
 
 namespace batten {
 namespace fair_surface_test {
 
-constexpr std::size_t n = 33;
-constexpr double h = 0.0375;
+using testing::bend_error;
+using testing::distance_across;
+using testing::lines;
+using testing::surface_grid;
+using testing::with_noise;
+using Kind = testing::SurfaceKind;
 
-enum class Kind { sphere, cylinder, ruled };
+struct Case {
+    Kind kind;
+    double noise;
+    double gaussian;  ///< the error that the reference reaches with curvature Gauss-Newton
+};
 
-Grid surface(Kind kind) {
-    Grid grid(n, n, 3);
-    for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t j = 0; j < n; ++j) {
-            const double u = (static_cast<double>(i) - 16) * h;
-            const double v = (static_cast<double>(j) - 16) * h;
-            grid(i, j, 0) = kind == Kind::cylinder ? std::sin(u) : u;
-            grid(i, j, 1) = v;
-            grid(i, j, 2) = kind == Kind::cylinder ? std::cos(u)
-                            : kind == Kind::sphere ? std::sqrt(1.5 - u * u - v * v)
-                                                   : u * v + 0.2 * std::sin(u) * (1 - v);
-        }
-    }
-    return grid;
-}
+constexpr Case cases[] = {
+    {Kind::sphere, 5e-4, 0.007},       {Kind::sphere, 2e-3, 0.022},
+    {Kind::cylinder, 5e-4, 0.003},     {Kind::cylinder, 2e-3, 0.012},
+    {Kind::pseudosphere, 5e-4, 0.007}, {Kind::pseudosphere, 2e-3, 0.026},
+    {Kind::ruled, 5e-4, 0.006},        {Kind::ruled, 2e-3, 0.018},
+};
 
-Grid with_noise(const Grid& exact, double sigma, unsigned seed) {
-    Grid noisy = exact;
-    testing::NumpyRandom random(seed);
-    for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t j = 0; j < n; ++j) {
-            const bool is_border = i == 0 || j == 0 || i + 1 == n || j + 1 == n;
-            for (int k = 0; k < 3; ++k) noisy(i, j, k) += is_border ? 0 : sigma * random.normal();
-        }
-    }
-    return noisy;
-}
-
-/// The rms distance across the surface, by the exact one's normals.
-double error_of(const Grid& grid, const Grid& exact) {
-    double sum = 0;
-    for (std::size_t i = 1; i + 1 < n; ++i) {
-        for (std::size_t j = 1; j + 1 < n; ++j) {
-            double u[3], v[3], d[3];
-            for (int k = 0; k < 3; ++k) {
-                u[k] = exact(i + 1, j, k) - exact(i - 1, j, k);
-                v[k] = exact(i, j + 1, k) - exact(i, j - 1, k);
-                d[k] = grid(i, j, k) - exact(i, j, k);
-            }
-            const double x = u[1] * v[2] - u[2] * v[1], y = u[2] * v[0] - u[0] * v[2],
-                         z = u[0] * v[1] - u[1] * v[0];
-            const double off = (x * d[0] + y * d[1] + z * d[2]) / std::hypot(x, y, z);
-            sum += off * off;
-        }
-    }
-    return std::sqrt(sum / ((n - 2) * (n - 2)));
-}
-
-double curvature_error(const Grid& grid, const Grid& exact) {
-    double sum = 0;
-    for (std::size_t i = 2; i + 2 < n; ++i) {
-        for (std::size_t j = 2; j + 2 < n; ++j) {
-            const double e = gaussian_curvature(grid, i, j) - gaussian_curvature(exact, i, j);
-            sum += e * e;
-        }
-    }
-    return std::sqrt(sum / ((n - 4) * (n - 4)));
-}
-
-TEST(FairSurface, TakesMostOfTheNoiseAway) {
-    for (const Kind kind : {Kind::sphere, Kind::cylinder, Kind::ruled}) {
-        const Grid exact = surface(kind), noisy = with_noise(exact, 2e-3, 1);
+TEST(FairSurface, TakesMostOfTheNoiseAwayAndEvensTheCurvature) {
+    for (const Case& c : cases) {
+        const Grid exact = surface_grid(c.kind), noisy = with_noise(exact, c.noise, 1);
         const SurfaceFairing made = fair_surface(noisy, {});
-        EXPECT_LT(error_of(made.grid, exact), error_of(noisy, exact) / 7);
-        EXPECT_GT(curvature_error(noisy, exact), 10);
-        EXPECT_LT(curvature_error(made.grid, exact), 0.04);
-        EXPECT_NEAR(made.report.sigma, 2e-3, 2e-4);
+        EXPECT_LT(distance_across(made.grid, exact), distance_across(noisy, exact) / 7);
+        EXPECT_LT(bend_error(made.grid, exact, gaussian_curvature), c.gaussian);
+        EXPECT_NEAR(*made.report.sigma, c.noise, c.noise / 10);
+        EXPECT_EQ(made.report.status, Status::met);
     }
+}
+
+TEST(FairSurface, KeepsACurvatureThatVaries) {
+    const Grid exact = surface_grid(Kind::saddle), noisy = with_noise(exact, 2e-3, 1);
+    const SurfaceFairing made = fair_surface(noisy, {});
+    EXPECT_LT(distance_across(made.grid, exact), distance_across(noisy, exact) / 7);
+    EXPECT_LT(bend_error(made.grid, exact, gaussian_curvature), 0.005);
+    EXPECT_EQ(made.report.weight_curvature, 0);
+}
+
+TEST(FairSurface, EvensTheMeanCurvatureWhereAsked) {
+    FairSurfaceOptions options;
+    options.target = SurfaceTarget::mean;
+    for (const Kind kind : {Kind::sphere, Kind::cylinder}) {
+        const Grid exact = surface_grid(kind), noisy = with_noise(exact, 5e-4, 1);
+        const SurfaceFairing made = fair_surface(noisy, options);
+        EXPECT_LT(distance_across(made.grid, exact), distance_across(noisy, exact) / 20);
+        EXPECT_LT(bend_error(made.grid, exact, mean_curvature), 5e-4);
+        EXPECT_NEAR(std::fabs(made.report.mean_curvature.rms), kind == Kind::sphere ? 1 : 0.5, 1e-3);
+    }
+}
+
+TEST(FairSurface, KeepsTheSpacingOfUnevenGrids) {
+    // Every second gap twice as wide.
+    const auto at = [](double i) { return testing::line_step * (i + (std::fmod(i + 16, 2) / 3)); };
+    for (const Kind kind : {Kind::sphere, Kind::cylinder}) {
+        const Grid exact = surface_grid(kind, at), noisy = with_noise(exact, 5e-4, 1);
+        const SurfaceFairing made = fair_surface(noisy, {});
+        EXPECT_LT(distance_across(made.grid, exact), distance_across(noisy, exact) / 7);
+        double most = 0;
+        for (std::size_t i = 0; i < lines; ++i) {
+            for (int k = 0; k < 3; ++k) {
+                most = std::fmax(most, std::fabs(made.grid(i, 16, k) - exact(i, 16, k)));
+            }
+        }
+        EXPECT_LT(most, 4e-4);  // along the surface as well
+        EXPECT_NEAR(bend_error(made.grid, exact, gaussian_curvature), 0, 0.007);
+    }
+}
+
+TEST(FairSurface, TakesTheWeightOfCurvatureThatIsGiven) {
+    const Grid exact = surface_grid(Kind::sphere), noisy = with_noise(exact, 5e-4, 1);
+    double before = 1;
+    for (const double weight : {0.0, 1.0, 100.0}) {
+        FairSurfaceOptions options;
+        options.weight_curvature = weight;
+        const SurfaceFairing made = fair_surface(noisy, options);
+        EXPECT_NEAR(*made.report.weight_curvature, weight, 1e-12 * weight);
+        const CurvatureSpread& spread = made.report.gaussian_curvature;
+        EXPECT_LT(spread.max - spread.min, before);
+        before = spread.max - spread.min;
+    }
+}
+
+FairSurfaceOptions paper_step(FilterRoot root) {
+    FairSurfaceOptions options;
+    options.engine = SurfaceEngine::filter;
+    options.root = root;
+    return options;
+}
+
+TEST(SurfaceFilter, LeavesSphereCylinderAndRuledPatchWhereTheyAre) {
+    for (const Kind kind : {Kind::sphere, Kind::cylinder, Kind::ruled}) {
+        const SurfaceFairing made =
+            fair_surface(surface_grid(kind), paper_step(FilterRoot::nearest));
+        EXPECT_LT(made.report.max_displacement, 1e-14);
+        EXPECT_EQ(made.report.status, Status::met);
+    }
+}
+
+TEST(SurfaceFilter, SaysWhereItIsUnstable) {
+    const SurfaceFairing made =
+        fair_surface(surface_grid(Kind::pseudosphere), paper_step(FilterRoot::nearest));
+    EXPECT_GT(made.report.max_displacement, 1e-3);
+    EXPECT_EQ(made.report.status, Status::not_converged);
+    ASSERT_FALSE(made.report.notes.empty());
+    EXPECT_NE(made.report.notes.front().find("unstable"), std::string::npos);
+}
+
+TEST(SurfaceFilter, RuinsASphereByTheRootOfThePaper) {
+    const SurfaceFairing made =
+        fair_surface(surface_grid(Kind::sphere), paper_step(FilterRoot::paper));
+    EXPECT_NEAR(distance_across(made.grid, surface_grid(Kind::sphere)), 0.03, 0.001);
+    EXPECT_EQ(made.report.status, Status::not_converged);
+}
+
+TEST(SurfaceFilter, DoesNotTakeNoiseAway) {
+    const Grid exact = surface_grid(Kind::sphere), noisy = with_noise(exact, 5e-4, 1);
+    const SurfaceFairing made = fair_surface(noisy, paper_step(FilterRoot::nearest));
+    EXPECT_GT(distance_across(made.grid, exact), distance_across(noisy, exact));
+    EXPECT_EQ(made.report.status, Status::not_converged);
 }
 
 TEST(FairSurface, KeepsTheBorderAsAskedAndScalesExactly) {
-    const Grid noisy = with_noise(surface(Kind::sphere), 1e-3, 2);
+    const Grid noisy = with_noise(surface_grid(Kind::sphere), 1e-3, 2);
     Grid large = noisy;
-    for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t j = 0; j < n; ++j) {
+    for (std::size_t i = 0; i < lines; ++i) {
+        for (std::size_t j = 0; j < lines; ++j) {
             for (int k = 0; k < 3; ++k) large(i, j, k) *= 256;
         }
     }
@@ -99,9 +146,10 @@ TEST(FairSurface, KeepsTheBorderAsAskedAndScalesExactly) {
         options.border = border;
         const Grid fair = fair_surface(noisy, options).grid, big = fair_surface(large, options).grid;
         const std::size_t held = 1 + static_cast<std::size_t>(border);
-        for (std::size_t i = 0; i < n; ++i) {
-            for (std::size_t j = 0; j < n; ++j) {
-                const bool is_held = i < held || j < held || i + held >= n || j + held >= n;
+        for (std::size_t i = 0; i < lines; ++i) {
+            for (std::size_t j = 0; j < lines; ++j) {
+                const bool is_held =
+                    i < held || j < held || i + held >= lines || j + held >= lines;
                 if (is_held) {
                     EXPECT_EQ(fair(i, j, 2), noisy(i, j, 2));
                 }
@@ -116,17 +164,30 @@ TEST(FairSurface, RefusesGridsThatAreNoSurface) {
     const auto code = [](const Grid& grid, const FairSurfaceOptions& options = {}) {
         return testing::code_of([&] { fair_surface(grid, options); });
     };
+    const Grid sphere = surface_grid(Kind::sphere);
     EXPECT_EQ(code(Grid(9, 9, 1)), "grid.dimension");
     EXPECT_EQ(code(Grid(6, 9, 3)), "grid.too-small");
-    Grid holed = surface(Kind::sphere);
+    EXPECT_EQ(code(Grid(9, 9, 3)), "grid.repeated");
+    Grid holed = sphere;
     holed.drop(4, 5);
     EXPECT_EQ(code(holed), "grid.holes");
-    Grid broken = surface(Kind::sphere);
+    Grid broken = sphere;
     broken(3, 3, 1) = std::nan("");
     EXPECT_EQ(code(broken), "points.not-finite");
+    Grid doubled = sphere;
+    for (std::size_t j = 0; j < lines; ++j) {
+        for (int k = 0; k < 3; ++k) doubled(5, j, k) = doubled(4, j, k);
+    }
+    EXPECT_EQ(code(doubled), "grid.repeated");
     FairSurfaceOptions options;
     options.sigma = -1;
-    EXPECT_EQ(code(surface(Kind::sphere), options), "option.range");
+    EXPECT_EQ(code(sphere, options), "option.range");
+    options = {};
+    options.weight_curvature = testing::nan;
+    EXPECT_EQ(code(sphere, options), "option.range");
+    options = {};
+    options.sweeps = 0;
+    EXPECT_EQ(code(sphere, options), "option.range");
 }
 
 }  // namespace fair_surface_test

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "batten/base/grid.hpp"
 #include "batten/base/value.hpp"
 #include "batten/io/files.hpp"
 #include "batten/shape/surface.hpp"
@@ -42,5 +43,10 @@ std::string obj_mesh(const SplineSurface& surface, const MeshPlaces& places);
 std::string stl_mesh(const SplineSurface& surface, const MeshPlaces& places);
 /// PLY, binary little endian, vertices in double precision.
 std::string ply_mesh(const SplineSurface& surface, const MeshPlaces& places);
+
+/// The same of a grid of points in space (3 values a node, none missing); OBJ without normals.
+std::string obj_mesh(const GridView& nodes);
+std::string stl_mesh(const GridView& nodes);
+std::string ply_mesh(const GridView& nodes);
 
 }  // namespace batten

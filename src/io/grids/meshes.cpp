@@ -50,16 +50,56 @@ void append_triangle(std::string& to, const Corner& a, const Corner& b, const Co
     to.append(2, '\0');
 }
 
+/// The points of the surface over these places.
+Grid nodes_of(const SplineSurface& surface, const MeshPlaces& places) {
+    const Grid z = surface.evaluate(places.x, places.y);
+    Grid nodes(z.nu(), z.nv(), 3);
+    for (std::size_t i = 0; i < z.nu(); ++i) {
+        for (std::size_t j = 0; j < z.nv(); ++j) {
+            nodes(i, j, 0) = places.x[i];
+            nodes(i, j, 1) = places.y[j];
+            nodes(i, j, 2) = z(i, j);
+        }
+    }
+    return nodes;
+}
+
+Corner corner_of(const GridView& nodes, std::size_t i, std::size_t j) {
+    return {nodes(i, j, 0), nodes(i, j, 1), nodes(i, j, 2)};
+}
+
+void append_vertices(std::string& text, const GridView& nodes) {
+    for (std::size_t i = 0; i < nodes.nu(); ++i) {
+        for (std::size_t j = 0; j < nodes.nv(); ++j) {
+            text += 'v';
+            for (const double x : corner_of(nodes, i, j)) text += ' ' + format_number(x);
+            text += '\n';
+        }
+    }
+}
+
+/// Quadrilaterals; each corner is named by its number and what `name` makes of it.
+template <class Name>
+void append_faces(std::string& text, const GridView& nodes, Name name) {
+    const std::size_t n = nodes.nv();
+    for (std::size_t i = 0; i + 1 < nodes.nu(); ++i) {
+        for (std::size_t j = 0; j + 1 < n; ++j) {
+            const std::size_t first = i * n + j + 1;
+            text += 'f';
+            for (const std::size_t corner : {first, first + n, first + n + 1, first + 1}) {
+                text += ' ' + name(std::to_string(corner));
+            }
+            text += '\n';
+        }
+    }
+}
+
 }  // namespace
 
 std::string obj_mesh(const SplineSurface& surface, const MeshPlaces& places) {
+    const Grid nodes = nodes_of(surface, places);
     std::string text;
-    for (const double x : places.x) {
-        for (const double y : places.y) {
-            text += "v " + format_number(x) + ' ' + format_number(y) + ' ' +
-                    format_number(surface(x, y)) + '\n';
-        }
-    }
+    append_vertices(text, nodes);
     for (const double x : places.x) {
         for (const double y : places.y) {
             text += "vn";
@@ -69,52 +109,52 @@ std::string obj_mesh(const SplineSurface& surface, const MeshPlaces& places) {
             text += '\n';
         }
     }
-    const std::size_t n = places.y.size();
-    for (std::size_t i = 0; i + 1 < places.x.size(); ++i) {
-        for (std::size_t j = 0; j + 1 < n; ++j) {
-            const std::size_t first = i * n + j + 1;
-            text += 'f';
-            for (const std::size_t corner : {first, first + n, first + n + 1, first + 1}) {
-                const std::string number = std::to_string(corner);
-                text += ' ' + number + "//" + number;
-            }
-            text += '\n';
-        }
-    }
+    append_faces(text, nodes, [](const std::string& number) { return number + "//" + number; });
+    return text;
+}
+
+std::string obj_mesh(const GridView& nodes) {
+    std::string text;
+    append_vertices(text, nodes);
+    append_faces(text, nodes, [](const std::string& number) { return number; });
     return text;
 }
 
 std::string stl_mesh(const SplineSurface& surface, const MeshPlaces& places) {
-    const Grid z = surface.evaluate(places.x, places.y);
-    const std::size_t cells = (z.nu() - 1) * (z.nv() - 1);
+    return stl_mesh(nodes_of(surface, places));
+}
+
+std::string stl_mesh(const GridView& nodes) {
+    const std::size_t cells = (nodes.nu() - 1) * (nodes.nv() - 1);
     std::string bytes(80, ' ');
     append_bytes(bytes, static_cast<std::uint32_t>(2 * cells));
-    const auto corner = [&](std::size_t i, std::size_t j) {
-        return Corner{places.x[i], places.y[j], z(i, j)};
-    };
-    for (std::size_t i = 0; i + 1 < z.nu(); ++i) {
-        for (std::size_t j = 0; j + 1 < z.nv(); ++j) {
-            append_triangle(bytes, corner(i, j), corner(i + 1, j), corner(i + 1, j + 1));
-            append_triangle(bytes, corner(i, j), corner(i + 1, j + 1), corner(i, j + 1));
+    for (std::size_t i = 0; i + 1 < nodes.nu(); ++i) {
+        for (std::size_t j = 0; j + 1 < nodes.nv(); ++j) {
+            const Corner first = corner_of(nodes, i, j), last = corner_of(nodes, i + 1, j + 1);
+            append_triangle(bytes, first, corner_of(nodes, i + 1, j), last);
+            append_triangle(bytes, first, last, corner_of(nodes, i, j + 1));
         }
     }
     return bytes;
 }
 
 std::string ply_mesh(const SplineSurface& surface, const MeshPlaces& places) {
-    const Grid z = surface.evaluate(places.x, places.y);
-    const std::size_t n = z.nv(), cells = (z.nu() - 1) * (n - 1);
+    return ply_mesh(nodes_of(surface, places));
+}
+
+std::string ply_mesh(const GridView& nodes) {
+    const std::size_t n = nodes.nv(), cells = (nodes.nu() - 1) * (n - 1);
     std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " +
-                        std::to_string(z.nu() * n) +
+                        std::to_string(nodes.nu() * n) +
                         "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
                         std::to_string(2 * cells) +
                         "\nproperty list uchar int vertex_indices\nend_header\n";
-    for (std::size_t i = 0; i < z.nu(); ++i) {
+    for (std::size_t i = 0; i < nodes.nu(); ++i) {
         for (std::size_t j = 0; j < n; ++j) {
-            for (const double x : {places.x[i], places.y[j], z(i, j)}) append_bytes(bytes, x);
+            for (const double x : corner_of(nodes, i, j)) append_bytes(bytes, x);
         }
     }
-    for (std::size_t i = 0; i + 1 < z.nu(); ++i) {
+    for (std::size_t i = 0; i + 1 < nodes.nu(); ++i) {
         for (std::size_t j = 0; j + 1 < n; ++j) {
             const std::int32_t first = static_cast<std::int32_t>(i * n + j);
             const std::int32_t beside = first + static_cast<std::int32_t>(n);

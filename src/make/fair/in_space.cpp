@@ -45,7 +45,7 @@ double residual(const SpaceTrack& t, double alpha) {
     for (std::size_t i = 1; i + 1 < t.size(); ++i) {
         length += distance(t[i - 1], t[i]);
         s.push_back(length);
-        kappa.push_back(circle_curvature_of(t[i - 1], t[i], t[i + 1]));
+        kappa.push_back(curvature(t[i - 1], t[i], t[i + 1]));
     }
     return linearity_residual(s, kappa, alpha);
 }

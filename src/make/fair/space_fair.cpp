@@ -2,256 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <limits>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "make/fair/smooth.hpp"
+#include "make/fair/space_arc.hpp"
+#include "make/fair/space_point.hpp"
+#include "make/fair/space_step.hpp"
 #include "make/fair/stages.hpp"
-#include "num/banded_qr.hpp"
 
 namespace batten::fairing {
 namespace {
 
-constexpr int band = 12;  ///< six points, two unknowns each
 constexpr double too_far = 3;  ///< sigma: the smoothing by index of unevenly spaced points
 constexpr double bearable_rms = 1.5;  ///< over sigma
-
-SpacePoint operator+(const SpacePoint& a, const SpacePoint& b) {
-    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-SpacePoint operator-(const SpacePoint& a, const SpacePoint& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-SpacePoint operator*(double s, const SpacePoint& a) { return {s * a[0], s * a[1], s * a[2]}; }
-double dot(const SpacePoint& a, const SpacePoint& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-SpacePoint cross(const SpacePoint& a, const SpacePoint& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double norm(const SpacePoint& a) { return std::sqrt(dot(a, a)); }
-
-/// Of the circle through three points.
-double curvature(const SpacePoint& p, const SpacePoint& q, const SpacePoint& r) {
-    const SpacePoint a = q - p, b = r - q;
-    return 2 * norm(cross(a, b)) / (norm(a) * norm(b) * norm(a + b));
-}
-
-/// The sine of the angle between the planes of p, q, r and q, r, s over the mean edge.
-double torsion(const SpacePoint& p, const SpacePoint& q, const SpacePoint& r,
-               const SpacePoint& s) {
-    const SpacePoint a = q - p, b = r - q, c = s - r;
-    const SpacePoint m = cross(a, b), n = cross(b, c);
-    const double size = norm(m) * norm(n) * norm(b);
-    return size > 0 ? 3 * dot(cross(m, n), b) / (size * (norm(a) + norm(b) + norm(c))) : 0;
-}
-
-/// k'' - (1 + exponent) k'^2 k / (k^2 + eps^2) from three values with the steps between them.
-double unfairness(const std::array<double, 3>& k, double h0, double h1, double exponent,
-                  double eps_sq) {
-    const double before = k[1] - k[0], after = k[2] - k[1], h = h0 + h1;
-    const double slope = (h1 * before / h0 + h0 * after / h1) / h;
-    const double bow = 2 * (after / h1 - before / h0) / h;
-    const double size = k[1] * k[1] + eps_sq;
-    return size > 0 ? bow - (1 + exponent) * slope * slope * k[1] / size : bow;
-}
-
-/// The point nearest to p where point i may go.
-SpacePoint within_bound(const SpacePoint& p, const SpaceGoal& goal, std::size_t i) {
-    const SpacePoint off = p - goal.data[i];
-    if (goal.bound == 0 || norm(off) <= goal.bound) return p;
-    return goal.data[i] + (goal.bound / norm(off)) * off;
-}
-
-struct SpaceStage {
-    double alpha, beta, lambda, torsion_lambda, softness;
-};
-
-class SpaceFairing {
-public:
-    SpaceFairing(const SpaceGoal& goal, SpaceTrack start)
-        : goal_(goal), track_(std::move(start)), n_(track_.size()), edge_(n_), kappa_(n_) {}
-
-    bool run(const SpaceStage& stage, double least_move, int most_steps);
-    const SpaceTrack& track() const { return track_; }
-    void restart(SpaceTrack track) { track_ = std::move(track); }
-    int steps() const { return steps_; }
-    double rms() const;
-
-private:
-    void set_frames();
-    double objective(const SpaceTrack& t, const SpaceStage& stage) const;
-    double curvature_rest(const SpaceTrack& t, std::size_t i, const SpaceStage& stage) const;
-    double torsion_rest(const SpaceTrack& t, std::size_t e, const SpaceStage& stage) const;
-    void absorb_rows(const SpaceStage& stage);
-    void absorb(std::size_t first_point, std::size_t points, double rest, std::size_t row_first,
-                const std::function<double(const SpaceTrack&)>& rest_of);
-    bool is_held(std::size_t i) const {
-        return i < goal_.held_ends || i + goal_.held_ends >= n_;
-    }
-
-    const SpaceGoal& goal_;
-    SpaceTrack track_;
-    std::size_t n_;
-    std::vector<double> edge_, kappa_;
-    std::vector<std::array<SpacePoint, 2>> normals_;
-    num::BandedQr qr_;
-    double kappa_sq_ = 0, tau_sq_ = 0;
-    int steps_ = 0;
-};
-
-void SpaceFairing::set_frames() {
-    normals_.resize(n_);
-    kappa_sq_ = tau_sq_ = 0;
-    for (std::size_t i = 0; i < n_; ++i) {
-        const SpacePoint along = track_[std::min(i + 1, n_ - 1)] - track_[i > 0 ? i - 1 : 0];
-        // Any normal does; the axis that the tangent is furthest from gives a stable one.
-        std::size_t axis = 0;
-        for (std::size_t k = 1; k < 3; ++k) {
-            if (std::fabs(along[k]) < std::fabs(along[axis])) axis = k;
-        }
-        SpacePoint away{0, 0, 0};
-        away[axis] = 1;
-        const SpacePoint u = cross(along, away), v = cross(along, u);
-        normals_[i] = {(1 / norm(u)) * u, (1 / norm(v)) * v};
-        if (i + 1 < n_) edge_[i] = norm(track_[i + 1] - track_[i]);
-    }
-    for (std::size_t i = 1; i + 1 < n_; ++i) {
-        const double k = curvature(track_[i - 1], track_[i], track_[i + 1]);
-        kappa_[i] = k;
-        kappa_sq_ += k * k / static_cast<double>(n_);
-    }
-    for (std::size_t e = 1; e + 2 < n_; ++e) {
-        const double t = torsion(track_[e - 1], track_[e], track_[e + 1], track_[e + 2]);
-        tau_sq_ += t * t / static_cast<double>(n_);
-    }
-}
-
-double SpaceFairing::curvature_rest(const SpaceTrack& t, std::size_t i,
-                                    const SpaceStage& stage) const {
-    std::array<double, 3> k;
-    for (std::size_t j = 0; j < 3; ++j) k[j] = curvature(t[i + j - 2], t[i + j - 1], t[i + j]);
-    const double h0 = edge_[i - 1], h1 = edge_[i];
-    return std::sqrt(0.5 * stage.lambda * (h0 + h1)) *
-           unfairness(k, h0, h1, stage.alpha, stage.softness * stage.softness * kappa_sq_);
-}
-
-/// Edge e goes from point e to the next one; its torsion is that of the four points around it.
-double SpaceFairing::torsion_rest(const SpaceTrack& t, std::size_t e,
-                                  const SpaceStage& stage) const {
-    std::array<double, 3> k;
-    for (std::size_t j = 0; j < 3; ++j) {
-        k[j] = torsion(t[e + j - 2], t[e + j - 1], t[e + j], t[e + j + 1]);
-    }
-    const double h0 = 0.5 * (edge_[e - 1] + edge_[e]), h1 = 0.5 * (edge_[e] + edge_[e + 1]);
-    return 0.5 * (kappa_[e] + kappa_[e + 1]) * std::sqrt(stage.torsion_lambda * edge_[e]) *
-           unfairness(k, h0, h1, stage.beta, stage.softness * stage.softness * tau_sq_);
-}
-
-double SpaceFairing::objective(const SpaceTrack& t, const SpaceStage& stage) const {
-    double near = 0, fair = 0;
-    for (std::size_t i = 0; i < n_; ++i) {
-        for (const SpacePoint& normal : normals_[i]) {
-            const double d = dot(normal, t[i] - goal_.data[i]);
-            near += d * d;
-        }
-    }
-    for (std::size_t i = 2; i + 2 < n_; ++i) {
-        const double r = curvature_rest(t, i, stage);
-        fair += r * r;
-    }
-    for (std::size_t e = 2; e + 3 < n_; ++e) {
-        const double r = torsion_rest(t, e, stage);
-        fair += r * r;
-    }
-    return near / (goal_.sigma * goal_.sigma) + fair;
-}
-
-double SpaceFairing::rms() const {
-    double sum = 0;
-    for (std::size_t i = 0; i < n_; ++i) {
-        for (const SpacePoint& normal : normals_[i]) {
-            const double d = dot(normal, track_[i] - goal_.data[i]);
-            sum += d * d;
-        }
-    }
-    return std::sqrt(0.5 * sum / static_cast<double>(n_));
-}
-
-/// One row by central differences over the displacements of a few points.
-void SpaceFairing::absorb(std::size_t first_point, std::size_t points, double rest,
-                          std::size_t row_first,
-                          const std::function<double(const SpaceTrack&)>& rest_of) {
-    std::array<double, band + 1> row{};
-    for (std::size_t j = first_point; j < first_point + points; ++j) {
-        if (is_held(j)) continue;
-        const double step = 1e-5 * edge_[std::min(j, n_ - 2)];
-        for (std::size_t k = 0; k < 2; ++k) {
-            const SpacePoint here = track_[j];
-            track_[j] = here + step * normals_[j][k];
-            const double plus = rest_of(track_);
-            track_[j] = here + -step * normals_[j][k];
-            const double minus = rest_of(track_);
-            track_[j] = here;
-            row[2 * j + k - row_first] = (plus - minus) / (2 * step);
-        }
-    }
-    row[band] = -rest;
-    qr_.absorb(static_cast<int>(row_first), row.data(), 1);
-}
-
-void SpaceFairing::absorb_rows(const SpaceStage& stage) {
-    qr_.restart({band, static_cast<int>(2 * n_), 0, 1});
-    for (std::size_t p = 0; p < n_; ++p) {
-        const std::size_t row_first = 2 * std::min(p, n_ - 6);
-        for (std::size_t k = 0; k < 2; ++k) {
-            std::array<double, band + 1> row{};
-            row[2 * p + k - row_first] = 1 / goal_.sigma;
-            row[band] =
-                is_held(p) ? 0 : -dot(normals_[p][k], track_[p] - goal_.data[p]) / goal_.sigma;
-            qr_.absorb(static_cast<int>(row_first), row.data(), 1);
-        }
-        if (p + 4 < n_) {
-            const auto rest = [&](const SpaceTrack& t) { return curvature_rest(t, p + 2, stage); };
-            absorb(p, 5, rest(track_), row_first, rest);
-        }
-        if (p + 5 < n_) {
-            const auto rest = [&](const SpaceTrack& t) { return torsion_rest(t, p + 2, stage); };
-            absorb(p, 6, rest(track_), row_first, rest);
-        }
-    }
-    qr_.finish();
-}
-
-bool SpaceFairing::run(const SpaceStage& stage, double least_move, int most_steps) {
-    std::vector<double> change(2 * n_);
-    for (int i = 0; i < most_steps; ++i) {
-        ++steps_;
-        set_frames();
-        absorb_rows(stage);
-        qr_.solve(0, change);
-        const SpaceTrack from = track_;
-        const double value = objective(from, stage);
-        double most = 0;
-        for (const double c : change) most = std::fmax(most, std::fabs(c));
-        bool better = false;
-        for (double share = 1; share > 1e-3 && !better; share *= 0.5) {
-            for (std::size_t j = 0; j < n_; ++j) {
-                if (is_held(j)) continue;
-                track_[j] = from[j] + (share * change[2 * j] * normals_[j][0] +
-                                       share * change[2 * j + 1] * normals_[j][1]);
-                track_[j] = within_bound(track_[j], goal_, j);
-            }
-            better = objective(track_, stage) <= value * (1 + 1e-6);
-        }
-        if (!better) {
-            track_ = from;
-            return most < 10 * least_move;
-        }
-        if (most < least_move) return true;
-    }
-    return false;
-}
 
 /// Each coordinate smoothed, all alike, by cross-validation; the data where that moves too far.
 struct Start {
@@ -289,16 +55,23 @@ public:
 
     SpaceResult run() {
         double lambda = goal_.lambda ? *goal_.lambda : least_error();
-        if (goal_.lambda) rough(-1, -1, lambda * 1e-2, 0);
-        if (is_spiral()) rough(goal_.alpha, goal_.beta, lambda * 0.1, soft);
+        if (goal_.lambda) {
+            rough(-1, -1, lambda * 1e-2, 0);
+            if (is_spiral()) rough(goal_.alpha, goal_.beta, lambda * 0.1, soft);
+        }
         const bool rests = fairing_.run(stage(goal_.alpha, goal_.beta, lambda, hard),
                                         1e-3 * goal_.sigma, 40);
         return {fairing_.track(), lambda, fairing_.steps(), rests, fairing_.rms()};
     }
 
 private:
+    /// A lambda and the error to be expected with it.
+    struct Found {
+        double lambda, error;
+    };
+
     SpaceContinuation(const SpaceGoal& goal, Start start)
-        : goal_(goal), fairing_(goal, start.track) {
+        : goal_(goal), start_(start.track), fairing_(goal, start.track) {
         const SpaceTrack& t = start.track;
         for (std::size_t i = 0; i + 1 < t.size(); ++i) length_ += norm(t[i + 1] - t[i]);
         spacing_ = length_ / static_cast<double>(t.size() - 1);
@@ -319,8 +92,8 @@ private:
         const double wave = wave_of(lambda) / (2 * std::numbers::pi);
         return {alpha, beta, lambda, lambda * wave * wave, softness};
     }
-    void rough(double alpha, double beta, double lambda, double softness) {
-        fairing_.run(stage(alpha, beta, lambda, softness), 0.02 * goal_.sigma, 10);
+    bool rough(double alpha, double beta, double lambda, double softness) {
+        return fairing_.run(stage(alpha, beta, lambda, softness), 0.02 * goal_.sigma, 10);
     }
     double freedom(double lambda) const {
         const double stiff = lambda * spacing_ * goal_.sigma * goal_.sigma;
@@ -344,12 +117,40 @@ private:
         // curvature of noise.
         double lambda = std::fmin(lambda_of(start_wave_), largest);
         rough(-1, -1, lambda, 0);
-        if (!is_spiral()) return best_from(-1, -1, 0, lambda, largest);
+        if (!is_spiral()) return best_from(-1, -1, 0, lambda, largest).lambda;
         lambda = smoothest_from(lambda, largest);
         for (const double share : {0.25, 0.5, 0.75, 1.0}) {
             rough(-1 + share * (goal_.alpha + 1), -1 + share * (goal_.beta + 1), lambda, soft);
         }
-        return best_from(goal_.alpha, goal_.beta, hard, lambda, largest);
+        const Found by_stages = best_from(goal_.alpha, goal_.beta, hard, lambda, largest);
+        const SpaceTrack track = fairing_.track();
+        const Found by_arc = best_near_arc(largest);
+        if (by_arc.error < by_stages.error) return by_arc.lambda;
+        fairing_.restart(track);
+        return by_stages.lambda;
+    }
+
+    /// From the one arc nearest to the points, stiff first: where the points are an arc's, no stage
+    /// can lead astray.
+    Found best_near_arc(double largest) {
+        Found best{largest, std::numeric_limits<double>::infinity()};
+        std::optional<SpaceTrack> arc = arc_along(goal_, start_);
+        if (!arc) return best;
+        for (std::size_t i = 0; i < arc->size(); ++i) {
+            const bool is_held = i < goal_.held_ends || i + goal_.held_ends >= arc->size();
+            (*arc)[i] = is_held ? goal_.data[i] : within_bound((*arc)[i], goal_, i);
+        }
+        SpaceTrack best_track = *arc;
+        for (double lambda = largest; lambda > 1e-8 * largest; lambda /= ratio * ratio) {
+            fairing_.restart(*arc);
+            const bool rests = rough(goal_.alpha, goal_.beta, lambda, hard);
+            const double error = expected_error(lambda);
+            if (!rests || !(error < best.error)) continue;
+            best = {lambda, error};
+            best_track = fairing_.track();
+        }
+        fairing_.restart(best_track);
+        return best;
     }
 
     /// The largest lambda that linear curvature and torsion bear.
@@ -357,8 +158,8 @@ private:
         while (lambda < largest) {
             const SpaceTrack before = fairing_.track();
             const double next = std::fmin(lambda * ratio, largest);
-            rough(-1, -1, next, 0);
-            if (fairing_.rms() > bearable_rms * goal_.sigma) {
+            const bool rests = rough(-1, -1, next, 0);
+            if (!rests || fairing_.rms() > bearable_rms * goal_.sigma) {
                 fairing_.restart(before);
                 break;
             }
@@ -367,14 +168,14 @@ private:
         return lambda;
     }
 
-    double best_from(double alpha, double beta, double softness, double lambda, double largest) {
+    Found best_from(double alpha, double beta, double softness, double lambda, double largest) {
         SpaceTrack best = fairing_.track();
         double best_lambda = lambda, least = expected_error(lambda);
         while (lambda < largest) {
             lambda = std::fmin(lambda * ratio, largest);
-            rough(alpha, beta, lambda, softness);
+            const bool rests = rough(alpha, beta, lambda, softness);
             const double error = expected_error(lambda);
-            if (error < least) {
+            if (rests && error < least) {
                 least = error;
                 best_lambda = lambda;
                 best = fairing_.track();
@@ -383,19 +184,16 @@ private:
             }
         }
         fairing_.restart(best);
-        return best_lambda;
+        return {best_lambda, least};
     }
 
     const SpaceGoal& goal_;
+    SpaceTrack start_;
     SpaceFairing fairing_;
     double length_ = 0, spacing_ = 0, start_wave_ = 0;
 };
 
 }  // namespace
-
-double circle_curvature_of(const SpacePoint& p, const SpacePoint& q, const SpacePoint& r) {
-    return curvature(p, q, r);
-}
 
 SpaceResult fair_space(const SpaceGoal& goal) { return SpaceContinuation(goal).run(); }
 

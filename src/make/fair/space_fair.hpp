@@ -1,13 +1,10 @@
 #pragma once
 
-#include <array>
 #include <optional>
-#include <vector>
+
+#include "make/fair/space_point.hpp"
 
 namespace batten::fairing {
-
-using SpacePoint = std::array<double, 3>;
-using SpaceTrack = std::vector<SpacePoint>;
 
 /// What is asked of an open row of points in space.
 struct SpaceGoal {
@@ -34,9 +31,6 @@ struct SpaceResult {
 /// Curvature of three points, torsion of four, on edges; from points smoothed by generalised
 /// cross-validation, then alpha = beta = -1, then what is asked. Cost: 8 us a point and step.
 SpaceResult fair_space(const SpaceGoal& goal);
-
-/// Curvature of the circle through three points.
-double circle_curvature_of(const SpacePoint& p, const SpacePoint& q, const SpacePoint& r);
 
 /// The smallest number of points that have a change of torsion.
 constexpr std::size_t fewest_space_points = 7;
