@@ -1,6 +1,7 @@
 #include "batten/make/fit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -81,9 +82,9 @@ std::vector<double> sigma_of(const Table& table, FitTableOptions& options) {
     if (const auto number = parse_number(options.sigma)) {
         options.fit.sigma = *number;
     } else if (!options.sigma.empty()) {
-        return column_values(table, column_index(table, options.sigma));
+        return column_errors(table, column_index(table, options.sigma));
     } else if (options.fit.sigma_model.empty() && has_column(table, "sigma")) {
-        return column_values(table, column_index(table, "sigma"));
+        return column_errors(table, column_index(table, "sigma"));
     }
     return {};
 }
@@ -105,12 +106,14 @@ void fill_sigma(FitData& data, const Fit& made, const FitOptions& options) {
     }
 }
 
+/// Samples without weight are left out: a file of numbers has no word for their sigma.
 Rows residual_rows(const FitData& data, const SplineFunction& spline) {
-    Rows rows{{"x", "y", "sigma", "fit", "residual"}, Points(data.x.size(), 5)};
+    Rows rows{{"x", "y", "sigma", "fit", "residual"}, Points(0, 5)};
+    rows.cells.reserve(data.x.size());
     for (std::size_t i = 0; i < data.x.size(); ++i) {
+        if (std::isinf(data.sigma[i])) continue;
         const double s = spline(data.x[i]);
-        const double row[] = {data.x[i], data.y[i], data.sigma[i], s, data.y[i] - s};
-        std::copy(std::begin(row), std::end(row), rows.cells[i].begin());
+        rows.cells.push_back(std::array{data.x[i], data.y[i], data.sigma[i], s, data.y[i] - s});
     }
     return rows;
 }
