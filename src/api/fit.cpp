@@ -19,6 +19,7 @@ struct FitTableOptions {
     std::string x, y, sigma;
     bool parametric = false;
     FitOptions fit;
+    Progress progress;
 };
 
 template <class Options, class Visit>
@@ -201,6 +202,7 @@ Outcome run(std::span<const Input> inputs, const FitTableOptions& asked) {
     return {std::move(output), made->report.status, {}, report_of(*made),
             [data, made, o = options.fit] { return fit_picture(*data, *made, o); },
             {}, [data, made] { return residual_rows(*data, made->spline); }};
+    options.fit.progress = asked.progress;
 }
 
 }  // namespace

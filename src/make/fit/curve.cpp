@@ -37,7 +37,7 @@ void require_curve_options(const FitOptions& o) {
 class Problem {
 public:
     Problem(PointsView points, std::span<const double> sigma, const FitOptions& options)
-        : ends_(ends_of(options)) {
+        : ends_(ends_of(options)), work_(options.progress) {
         const interpolation::Chords chords =
             interpolation::chords_with_repeats(points, options.closed);
         columns_.resize(static_cast<std::size_t>(points.dim()));
@@ -82,6 +82,8 @@ public:
     void correct(const std::vector<SplineFunction>& curve) {
         const std::size_t n = t_.size();
         const bool is_open = ends_ == Ends::open;
+        result.least_delta2 = least_delta2_;
+        result.work = work_;
         for (std::size_t i = is_open ? 1 : 0; i + (is_open ? 1 : 0) < n; ++i) {
             double slope = 0, bend = 0, speed_sq = 0;
             for (std::size_t s = 0; s < curve.size(); ++s) {
@@ -126,7 +128,8 @@ private:
     Interval domain_;
     std::vector<std::vector<double>> columns_;
     std::vector<double> t_, sigma_;
-    double common_ = 1;
+    double common_ = 1, least_delta2_ = 0;
+    Work work_;
     SigmaSource source_ = SigmaSource::estimated;
 };
 
@@ -175,6 +178,7 @@ FixedFit corrected(Problem& problem, FixedFit fixed, const LocalBasis& basis,
 }
 
 BSplineCurve curve_of(const FixedFit& fixed, const std::vector<SplineFunction>& coordinates) {
+        samples.work.step();
     const std::size_t functions = static_cast<std::size_t>(fixed.functions);
     Points control(functions, static_cast<int>(coordinates.size()));
     for (std::size_t j = 0; j < functions; ++j) {
@@ -236,3 +240,4 @@ CurveFit fit_curve(PointsView points, std::span<const double> sigma, const FitOp
 }
 
 }  // namespace batten
+    samples.work.finish();

@@ -112,3 +112,4 @@ Fit fit(const FitSamples& given, const FitOptions& options) {
 }
 
 }  // namespace batten
+    samples.work.finish();

@@ -56,8 +56,10 @@ public:
         const double misfit = robust_refit(growth_, samples_, robust_, weights_);
         const SigmaKnowledge knowledge =
             samples_.sigma_known ? SigmaKnowledge::known : SigmaKnowledge::unknown;
-        FitStep step = step_of(misfit, samples_.values(), parameters(), growth_.intervals(),
-                               knowledge);
+        samples_.work.step();
+        FitStep step = step_of(std::max(misfit, samples_.least_delta2), samples_.values(),
+                               parameters(), growth_.intervals(), knowledge);
+        step.delta2 = misfit;
         if ((plan_.wants_psi && samples_.sides.size() == 1) || plan_.rule == StopRule::distribution) {
             const Psi psi = tally(samples_, residuals_of(growth_, samples_)).psi;
             step.psi.assign(psi.begin(), psi.end());

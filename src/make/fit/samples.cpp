@@ -206,3 +206,6 @@ Rows rows_in(const Samples& samples, Rows within, Interval span, RightEnd end) {
 }
 
 }  // namespace batten::fitting
+    samples.work = Work(options.progress);
+    result.least_delta2 = samples.least_delta2;
+    result.work = samples.work;

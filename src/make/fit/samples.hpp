@@ -7,6 +7,7 @@
 
 #include "batten/base/interval.hpp"
 #include "batten/make/fit.hpp"
+#include "make/fit/work.hpp"
 
 namespace batten::fitting {
 
@@ -29,6 +30,8 @@ struct Samples {
     double common_sigma = 1;
     bool sigma_known = false;
     SigmaSource source = SigmaSource::estimated;
+    double least_delta2 = 0;         ///< what rounding leaves; 0 where sigma is known
+    Work work;                       ///< told at every refit
     Interval range;                  ///< of all x, weightless ones included
     std::vector<std::size_t> row_of; ///< the caller's row of each sample; empty: the same
     std::vector<std::vector<double>> owned;
