@@ -76,6 +76,51 @@ Status status_of(const FitReport& report, const KnotChoice& choice, bool is_with
 }
 
 }  // namespace
+/// The alternatives, each with the limits asked for; those that cannot keep them are left out.
+std::vector<Alternative> limited(std::vector<Alternative> alternatives, const Samples& samples,
+                                 const LocalBasis& basis, const FitOptions& options) {
+    if (!has_limits(options)) return alternatives;
+    std::vector<Alternative> kept;
+    double sum = 0;
+    for (const Alternative& a : alternatives) {
+        const std::span<const double> knots = a.law.spline().knots();
+        FixedFit fixed = solve_fixed(samples, {knots.begin(), knots.end()}, basis, Ends::open);
+        if (!limit(fixed, options)) continue;
+        kept.push_back({a.weight, CoefficientLaw(spline_of(fixed), fixed.system, fixed.functions,
+                                                 fixed.held)});
+        sum += a.weight;
+    }
+    for (Alternative& a : kept) a.weight /= sum;
+    return kept;
+}
+
+/// The samples without those that stand alone, where outliers are to have no weight; `dropped`
+/// says which.
+struct Sieved {
+    Samples samples;
+    std::vector<std::size_t> dropped;
+};
+
+Sieved without_isolated(Samples samples, const FitOptions& options) {
+    if (options.robust != Robust::reject && options.robust != Robust::tukey) {
+        return {std::move(samples), {}};
+    }
+    const std::vector<double> factors = isolated_factors(samples);
+    if (factors.empty()) return {std::move(samples), {}};
+    std::vector<std::size_t> dropped;
+    double largest = 0;
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        if (std::isinf(factors[i])) dropped.push_back(samples.row(i));
+        else largest = std::max(largest, std::fabs(samples.sides[0][i]));
+    }
+    Samples rest = reweighted(samples, factors);
+    if (!rest.sigma_known) {
+        estimate_sigma(rest, noise_from_differences(rest.x, rest.sides[0]), largest);
+    }
+    if (samples.sigma.empty()) rest.sigma = {};
+    return {std::move(rest), std::move(dropped)};
+}
+
 
 Fit fit(const FitSamples& given, const FitOptions& options) {
     require_options(options);
@@ -103,7 +148,7 @@ Fit fit(const FitSamples& given, const FitOptions& options) {
     if (!last.is_within) report.notes.push_back("limits: no spline over these knots keeps them");
     const FitCovariance covariance(std::make_shared<FitCovariance::Model>(FitCovariance::Model{
         CoefficientLaw(spline, last.fixed.system, last.fixed.functions, last.fixed.held),
-        std::move(choice.alternatives), width_of(report)}));
+        limited(std::move(choice.alternatives), used, basis, options), width_of(report)}));
     if (report.undetermined.empty()) fill_band(report, spline, covariance);
     if (options.suggest > 0) {
         report.suggestions = covariance.suggest(options.suggest, used.sigma_at(used.size() / 2));
