@@ -95,3 +95,30 @@ TEST(PrunedKnots, AreFoundWithoutKnownErrorsAndBesideOutliers) {
 
 }  // namespace fit_pruned_test
 }  // namespace batten
+TEST(RobustFit, DropsTheOutlierAndNoNeighbourHoweverFarOffItIs) {
+    for (const Robust robust : {Robust::reject, Robust::tukey}) {
+        for (const double sigmas : {8.0, 20.0, 50.0, 400.0, 1e6}) {
+            FitTable table = sampled(wave, 100, 0.05, 12);
+            table.y[40] += 0.05 * sigmas;
+            FitOptions options;
+            options.robust = robust;
+            const Fit made = fit(table.view(), options);
+            EXPECT_EQ(made.report.rejected, std::vector<std::size_t>{40}) << sigmas;
+            EXPECT_LT(made.report.intervals, 8) << sigmas;
+            if (sigmas < 20) continue;
+            EXPECT_EQ(fit(table.without_sigma(), options).report.rejected,
+                      std::vector<std::size_t>{40}) << sigmas;
+        }
+    }
+}
+
+TEST(RobustFit, KeepsJumpsAndPeaksOfTwoSamples) {
+    FitTable table = sampled(step, 200, 0.01, 13);
+    table.y[150] += 3;
+    table.y[151] += 3;
+    FitOptions options = pruned();
+    options.robust = Robust::reject;
+    const Fit made = fit(table.view(), options);
+    for (const std::size_t i : made.report.rejected) EXPECT_TRUE(i == 150 || i == 151) << i;
+}
+

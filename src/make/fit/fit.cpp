@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "make/fit/finish.hpp"
+#include "make/fit/isolated.hpp"
 #include "make/fit/knot_choice.hpp"
 #include "make/fit/shape_limits.hpp"
 
@@ -120,11 +121,13 @@ Sieved without_isolated(Samples samples, const FitOptions& options) {
     if (samples.sigma.empty()) rest.sigma = {};
     return {std::move(rest), std::move(dropped)};
 }
+}  // namespace
 
 
 Fit fit(const FitSamples& given, const FitOptions& options) {
     require_options(options);
-    const Samples samples = prepared(given, options);
+    Sieved sieved = without_isolated(prepared(given, options), options);
+    const Samples& samples = sieved.samples;
     const LocalBasis basis(options.degree + 1);
     KnotChoice choice = choose_knots(samples, basis, options);
     FinalFit last = final_fit(samples, basis, choice, options);
@@ -140,6 +143,8 @@ Fit fit(const FitSamples& given, const FitOptions& options) {
     fill_spline(report, spline);
     report.parameters_charged += choice.moved;
     report.rejected = std::move(last.rejected);
+    report.rejected.insert(report.rejected.end(), sieved.dropped.begin(), sieved.dropped.end());
+    std::sort(report.rejected.begin(), report.rejected.end());
     report.sigma_source = samples.source;
     if (samples.sigma.empty()) report.sigma = samples.common_sigma;
     report.path = std::move(choice.path);
