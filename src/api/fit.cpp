@@ -60,6 +60,18 @@ Value report_of(const Fit& made) {
     return report;
 }
 
+/// Where in the file the samples without weight stand; a few of them, where there are many.
+void note_lines_of_rejected(FitReport& report, const Table& table) {
+    constexpr std::size_t most_listed = 20;
+    if (report.rejected.empty() || table.line_of_row.empty()) return;
+    std::string note = report.rejected.size() > 1 ? "rejected: lines" : "rejected: line";
+    for (std::size_t i = 0; i < std::min(most_listed, report.rejected.size()); ++i) {
+        note += (i > 0 ? ", " : " ") + std::to_string(table.line_of_row[report.rejected[i]]);
+    }
+    report.notes.push_back(note + (report.rejected.size() > most_listed ? ", ... of " : " of ") +
+                           table.source);
+}
+
 bool has_column(const Table& table, std::string_view name) {
     return std::find(table.names.begin(), table.names.end(), name) != table.names.end();
 }
@@ -190,6 +202,7 @@ Outcome run_parametric(const PointsInput& input, FitTableOptions options) {
 
 Outcome run(std::span<const Input> inputs, const FitTableOptions& asked) {
     FitTableOptions options = asked;
+    options.fit.progress = asked.progress;
     const PointsInput& input = points_input(inputs);
     if (options.parametric) return run_parametric(input, options);
     const auto data = std::make_shared<FitData>(data_of(input.table, options));
@@ -198,11 +211,11 @@ Outcome run(std::span<const Input> inputs, const FitTableOptions& asked) {
     fill_sigma(*data, *made, options.fit);
     made->report.notes.insert(made->report.notes.begin(), input.table.notes.begin(),
                               input.table.notes.end());
+    note_lines_of_rejected(made->report, input.table);
     Output output = output_of(*data, *made);
     return {std::move(output), made->report.status, {}, report_of(*made),
             [data, made, o = options.fit] { return fit_picture(*data, *made, o); },
             {}, [data, made] { return residual_rows(*data, made->spline); }};
-    options.fit.progress = asked.progress;
 }
 
 }  // namespace

@@ -65,6 +65,14 @@ TEST(PrunedKnots, AreFewWhereTheDataAreSmooth) {
     EXPECT_LT(made_sum, 1.25 * plain_sum);
 }
 
+TEST(PrunedKnots, SayWhereTheyMakeACornerOrAJump) {
+    FitTable table = sampled(step, 200, 0.1, 3);
+    for (std::size_t i = 0; i < table.x.size(); ++i) table.y[i] = step(table.x[i]);
+    const FitReport report = fit(table.view(), pruned()).report;
+    ASSERT_EQ(report.notes.size(), 1u);
+    EXPECT_EQ(report.notes[0].substr(0, 22), "knots: a corner at 0.3");
+}
+
 TEST(PrunedKnots, ScaleExactly) {
     const FitTable table = sampled(step, 200, 0.1, 9);
     FitTable large = table;
@@ -93,8 +101,6 @@ TEST(PrunedKnots, AreFoundWithoutKnownErrorsAndBesideOutliers) {
     EXPECT_FALSE(saved.report.rejected.empty());
 }
 
-}  // namespace fit_pruned_test
-}  // namespace batten
 TEST(RobustFit, DropsTheOutlierAndNoNeighbourHoweverFarOffItIs) {
     for (const Robust robust : {Robust::reject, Robust::tukey}) {
         for (const double sigmas : {8.0, 20.0, 50.0, 400.0, 1e6}) {
@@ -122,3 +128,5 @@ TEST(RobustFit, KeepsJumpsAndPeaksOfTwoSamples) {
     for (const std::size_t i : made.report.rejected) EXPECT_TRUE(i == 150 || i == 151) << i;
 }
 
+}  // namespace fit_pruned_test
+}  // namespace batten

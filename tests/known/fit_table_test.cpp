@@ -46,5 +46,42 @@ TEST(FitOfATable, RefusesACellOfSigmaThatIsNoNumber) {
     EXPECT_EQ(refusal("?"), "table.not-a-number table.csv row 12, column sigma");
 }
 
+std::vector<std::string> notes_of(const Outcome& made) {
+    std::vector<std::string> notes;
+    if (const Value* list = made.report.find("notes")) {
+        for (const Value& note : *list->list()) notes.push_back(*note.text());
+    }
+    return notes;
+}
+
+TEST(FitOfATable, NamesTheLinesOfRejectedSamples) {
+    const Outcome made = outcome(parabola_with("0.01"), {{"robust", "reject"}});
+    ASSERT_EQ(made.report.find("rejected")->list()->size(), 1u);
+    EXPECT_EQ(made.report.find("rejected")->list()->front().number(), 10);
+    EXPECT_EQ(notes_of(made), std::vector<std::string>{"rejected: line 12 of table.csv"});
+}
+
+/// Samples of `f` at 60 abscissae, no errors stated.
+template <class Function>
+std::string exact(Function f) {
+    std::string text = "x,y\n";
+    for (int i = 0; i < 60; ++i) {
+        text += format_number(0.1 * i) + ',' + format_number(f(0.1 * i)) + '\n';
+    }
+    return text;
+}
+
+TEST(FitOfATable, TakesOneIntervalForAnExactParabola) {
+    EXPECT_EQ(outcome(exact([](double x) { return 1 + x - x * x; })).report.find("intervals")
+                  ->number(), 1);
+}
+
+TEST(FitOfATable, SeesNoExtremumAndNoNoiseInAConstant) {
+    const Outcome made = outcome(exact([](double) { return 3.7; }));
+    EXPECT_TRUE(made.report.find("extrema")->list()->empty());
+    EXPECT_LT(made.report.find("sigma")->number(), 1e-15);
+    EXPECT_LT(made.report.find("integral")->find("deviation")->number(), 1e-14);
+}
+
 }  // namespace fit_table_test
 }  // namespace batten

@@ -76,7 +76,6 @@ Status status_of(const FitReport& report, const KnotChoice& choice, bool is_with
     return choice.is_met ? Status::met : Status::not_met;
 }
 
-}  // namespace
 /// The alternatives, each with the limits asked for; those that cannot keep them are left out.
 std::vector<Alternative> limited(std::vector<Alternative> alternatives, const Samples& samples,
                                  const LocalBasis& basis, const FitOptions& options) {
@@ -121,8 +120,8 @@ Sieved without_isolated(Samples samples, const FitOptions& options) {
     if (samples.sigma.empty()) rest.sigma = {};
     return {std::move(rest), std::move(dropped)};
 }
-}  // namespace
 
+}  // namespace
 
 Fit fit(const FitSamples& given, const FitOptions& options) {
     require_options(options);
@@ -138,7 +137,8 @@ Fit fit(const FitSamples& given, const FitOptions& options) {
     const ResidualTally residuals = tally(used, spline);
     fill_criteria(report, last.fixed,
                   {residuals.delta2, used.size(),
-                   samples.sigma_known ? SigmaKnowledge::known : SigmaKnowledge::unknown});
+                   samples.sigma_known ? SigmaKnowledge::known : SigmaKnowledge::unknown, 1,
+                   samples.least_delta2});
     fill_tally(report, residuals);
     fill_spline(report, spline);
     report.parameters_charged += choice.moved;
@@ -149,6 +149,7 @@ Fit fit(const FitSamples& given, const FitOptions& options) {
     if (samples.sigma.empty()) report.sigma = samples.common_sigma;
     report.path = std::move(choice.path);
     report.notes = std::move(choice.notes);
+    note_what_sigma_hides(report);
     report.status = status_of(report, choice, last.is_within);
     if (!last.is_within) report.notes.push_back("limits: no spline over these knots keeps them");
     const FitCovariance covariance(std::make_shared<FitCovariance::Model>(FitCovariance::Model{
@@ -158,8 +159,8 @@ Fit fit(const FitSamples& given, const FitOptions& options) {
     if (options.suggest > 0) {
         report.suggestions = covariance.suggest(options.suggest, used.sigma_at(used.size() / 2));
     }
+    samples.work.finish();
     return {std::move(spline), covariance, std::move(report)};
 }
 
 }  // namespace batten
-    samples.work.finish();
