@@ -237,7 +237,7 @@ TEST(FitRefuses, UnitsWhoseSquaresOrDerivativesAreBeyondADouble) {
     EXPECT_EQ(with(1e-322, 1, 1), "number.overflow column x");
     FitTable wide{{-1.7e308, -1e308, 0, 1e308, 1.7e308}, {0, 1, 0, 1, 0}, {}};
     EXPECT_EQ(refusal(wide), "number.overflow column x");
-    EXPECT_EQ(with(1e-100, 1e100, 1e100), "none");
+    EXPECT_EQ(with(1e-50, 1e100, 1e100), "none");
 }
 
 TEST(FitRefuses, ANumberOfIntervalsAndATargetForDelta2) {
