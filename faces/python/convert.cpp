@@ -72,8 +72,8 @@ Points points_from(py::handle object, const std::string& name) {
 }
 
 void set_cell(Table& table, std::size_t row, std::size_t column, double x) {
-    if (!std::isfinite(x) && !table.bad[column]) table.bad[column] = {row, format_number(x)};
-    table.cells[row][column] = std::isfinite(x) ? x : 0;
+    table.cells[row][column] =
+        std::isfinite(x) ? x : table.mark_bad(column, x, {row, format_number(x)});
 }
 
 Table empty_table(const std::string& name, std::size_t rows, std::size_t columns) {

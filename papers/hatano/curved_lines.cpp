@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     const std::string cases = argv[1], folder = argv[2];
-    const std::string path = cases + "/fits/hatano-figure-4.1.json";
+    const std::string path = cases + "/surfaces/hatano-figure-4.1.json";
     const CurvedKnotSurface four =
         curved_surface_of(parse_json(read_source(path).bytes, path), path);
     const CurvedKnotSurface three = without_a_line(four);

@@ -102,7 +102,7 @@ double scintillation(double x, double y) {
 }  // namespace
 
 SurfaceSet equal_set(const std::string& cases) {
-    const batten::GridFile file = batten::read_grid(cases + "/fits/hatano-surface.csv");
+    const batten::GridFile file = batten::read_grid(cases + "/surfaces/hatano-surface.csv");
     return {"61 x 51 equally spaced nodes", {file.x, file.y, file.z}, 1};
 }
 

@@ -1,6 +1,7 @@
 #include "batten/make/fit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -18,6 +19,7 @@ struct FitTableOptions {
     std::string x, y, sigma;
     bool parametric = false;
     FitOptions fit;
+    Progress progress;
 };
 
 template <class Options, class Visit>
@@ -58,6 +60,18 @@ Value report_of(const Fit& made) {
     return report;
 }
 
+/// Where in the file the samples without weight stand; a few of them, where there are many.
+void note_lines_of_rejected(FitReport& report, const Table& table) {
+    constexpr std::size_t most_listed = 20;
+    if (report.rejected.empty() || table.line_of_row.empty()) return;
+    std::string note = report.rejected.size() > 1 ? "rejected: lines" : "rejected: line";
+    for (std::size_t i = 0; i < std::min(most_listed, report.rejected.size()); ++i) {
+        note += (i > 0 ? ", " : " ") + std::to_string(table.line_of_row[report.rejected[i]]);
+    }
+    report.notes.push_back(note + (report.rejected.size() > most_listed ? ", ... of " : " of ") +
+                           table.source);
+}
+
 bool has_column(const Table& table, std::string_view name) {
     return std::find(table.names.begin(), table.names.end(), name) != table.names.end();
 }
@@ -81,9 +95,9 @@ std::vector<double> sigma_of(const Table& table, FitTableOptions& options) {
     if (const auto number = parse_number(options.sigma)) {
         options.fit.sigma = *number;
     } else if (!options.sigma.empty()) {
-        return column_values(table, column_index(table, options.sigma));
+        return column_errors(table, column_index(table, options.sigma));
     } else if (options.fit.sigma_model.empty() && has_column(table, "sigma")) {
-        return column_values(table, column_index(table, "sigma"));
+        return column_errors(table, column_index(table, "sigma"));
     }
     return {};
 }
@@ -105,12 +119,14 @@ void fill_sigma(FitData& data, const Fit& made, const FitOptions& options) {
     }
 }
 
+/// Samples without weight are left out: a file of numbers has no word for their sigma.
 Rows residual_rows(const FitData& data, const SplineFunction& spline) {
-    Rows rows{{"x", "y", "sigma", "fit", "residual"}, Points(data.x.size(), 5)};
+    Rows rows{{"x", "y", "sigma", "fit", "residual"}, Points(0, 5)};
+    rows.cells.reserve(data.x.size());
     for (std::size_t i = 0; i < data.x.size(); ++i) {
+        if (std::isinf(data.sigma[i])) continue;
         const double s = spline(data.x[i]);
-        const double row[] = {data.x[i], data.y[i], data.sigma[i], s, data.y[i] - s};
-        std::copy(std::begin(row), std::end(row), rows.cells[i].begin());
+        rows.cells.push_back(std::array{data.x[i], data.y[i], data.sigma[i], s, data.y[i] - s});
     }
     return rows;
 }
@@ -186,6 +202,7 @@ Outcome run_parametric(const PointsInput& input, FitTableOptions options) {
 
 Outcome run(std::span<const Input> inputs, const FitTableOptions& asked) {
     FitTableOptions options = asked;
+    options.fit.progress = asked.progress;
     const PointsInput& input = points_input(inputs);
     if (options.parametric) return run_parametric(input, options);
     const auto data = std::make_shared<FitData>(data_of(input.table, options));
@@ -194,6 +211,7 @@ Outcome run(std::span<const Input> inputs, const FitTableOptions& asked) {
     fill_sigma(*data, *made, options.fit);
     made->report.notes.insert(made->report.notes.begin(), input.table.notes.begin(),
                               input.table.notes.end());
+    note_lines_of_rejected(made->report, input.table);
     Output output = output_of(*data, *made);
     return {std::move(output), made->report.status, {}, report_of(*made),
             [data, made, o = options.fit] { return fit_picture(*data, *made, o); },

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "batten/base/text.hpp"
 
@@ -67,23 +68,19 @@ Points outline(std::span<const double> x, std::span<const double> lower,
     return points;
 }
 
-/// The samples' rows in rising x, those of `rows` only where it is not empty.
-Points dots(const FitData& data, const std::vector<double>& ordinates,
-            const std::vector<std::size_t>& rows, bool listed) {
-    std::vector<char> is_listed(data.x.size(), 0);
-    for (const std::size_t i : rows) is_listed[i] = 1;
-    Points points(0, 2);
-    for (std::size_t i = 0; i < data.x.size(); ++i) {
-        if ((is_listed[i] != 0) != listed) continue;
-        points.push_back(std::array{data.x[i], ordinates[i]});
-    }
-    return points;
-}
-
-void add_dots(Panel& panel, const FitData& data, const std::vector<double>& ordinates,
+/// Ordinates over the samples: those with weight, and those without; nothing where there is no
+/// ordinate.
+void add_dots(Panel& panel, const FitData& data,
+              const std::vector<std::optional<double>>& ordinates,
               const std::vector<std::size_t>& rejected) {
-    const Points kept = dots(data, ordinates, rejected, false);
-    const Points left = dots(data, ordinates, rejected, true);
+    std::vector<char> has_weight(data.x.size(), 1);
+    for (const std::size_t i : rejected) has_weight[i] = 0;
+    Points kept(0, 2), left(0, 2);
+    for (std::size_t i = 0; i < data.x.size(); ++i) {
+        if (!ordinates[i]) continue;
+        Points& some = has_weight[i] != 0 && std::isfinite(data.sigma[i]) ? kept : left;
+        some.push_back(std::array{data.x[i], *ordinates[i]});
+    }
     if (!kept.empty()) {
         panel.add(PointsLayer{kept, "data", Marker::open, {}, PointLabels::none, Tone::grey});
     }
@@ -105,7 +102,7 @@ Panel data_panel(const FitData& data, const Fit& fit) {
         }
         if (!bars.runs.empty()) panel.add(std::move(bars));
     }
-    add_dots(panel, data, data.y, fit.report.rejected);
+    add_dots(panel, data, {data.y.begin(), data.y.end()}, fit.report.rejected);
     if (!band.x.empty()) {
         panel.add(RegionsLayer{{outline(band.x, band.lower, band.upper)}, "95 % band",
                                Tone::accent});
@@ -117,9 +114,12 @@ Panel data_panel(const FitData& data, const Fit& fit) {
 
 Panel residual_panel(const FitData& data, const Fit& fit) {
     Panel panel = chart("residuals", data.x_name, "(data − fit) / σ");
-    std::vector<double> e(data.x.size());
+    std::vector<std::optional<double>> e(data.x.size());
+    Interval y{-1, 1};
     for (std::size_t i = 0; i < e.size(); ++i) {
+        if (std::isinf(data.sigma[i])) continue;
         e[i] = (data.y[i] - fit.spline(data.x[i])) / data.sigma[i];
+        y = {std::min(y.lo, *e[i]), std::max(y.hi, *e[i])};
     }
     const Interval x = fit.spline.domain();
     const auto level = [&](double y) {
@@ -129,8 +129,6 @@ Panel residual_panel(const FitData& data, const Fit& fit) {
     panel.add(RegionsLayer{{std::move(one)}, "±σ", Tone::blue});
     panel.add(PolylineLayer{{level(0)}, {}, {Tone::ink, Dash::solid, 0.8}});
     add_dots(panel, data, e, fit.report.rejected);
-    Interval y = range_of(e);
-    y = {std::min(y.lo, -1.0), std::max(y.hi, 1.0)};
     panel.add(knot_ticks(fit.spline.breaks(), y));
     return panel;
 }

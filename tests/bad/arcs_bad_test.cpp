@@ -37,6 +37,7 @@ TEST(ArcsBad, PointsAreNamed) {
     EXPECT_EQ(points_code(Points({0, 0, 1, nan, 2, 0}, 2)), "points.not-finite");
     EXPECT_EQ(points_code(Points({0, 0, inf, 0, 2, 0}, 2)), "points.not-finite");
     EXPECT_EQ(points_code(Points({0, 0, 0, 1, 1, 1}, 3)), "points.dimension");
+    EXPECT_EQ(points_code(Points({-1.7e308, 0, 0, 1, 1.7e308, 0}, 2)), "number.overflow");
 }
 
 TEST(ArcsBad, OptionsAreNamed) {

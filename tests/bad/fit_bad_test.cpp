@@ -47,6 +47,9 @@ TEST(FitRefuses, EqualAbscissae) {
 }
 
 TEST(FitRefuses, ErrorsThatAreNotAboveZero) {
+    FitOptions endless;
+    endless.sigma = inf;
+    EXPECT_EQ(refusal({good().x, good().y, {}}, endless), "fit.sigma sigma");
     for (const double sigma : {0.0, -1.0, nan, -inf}) {
         FitTable table = good();
         table.sigma[7] = sigma;
@@ -214,6 +217,44 @@ TEST(FitRefuses, ResultsBeyondADouble) {
     for (double& y : table.y) y *= 1e306;
     for (double& s : table.sigma) s = 1;
     EXPECT_EQ(refusal(table, given({1e-3})).substr(0, 15), "number.overflow");
+}
+
+TEST(FitRefuses, UnitsWhoseSquaresOrDerivativesAreBeyondADouble) {
+    const auto with = [](double x_unit, double y_unit, double sigma) {
+        FitTable table = good();
+        for (double& x : table.x) x *= x_unit;
+        for (double& y : table.y) y *= y_unit;
+        table.sigma.clear();
+        FitOptions options;
+        if (sigma > 0) options.sigma = sigma;
+        return refusal(table, options);
+    };
+    EXPECT_EQ(with(1, 1, 1e300), "number.overflow sigma");
+    EXPECT_EQ(with(1, 1, 1e-300), "number.overflow sigma");
+    EXPECT_EQ(with(1, 1e300, 0), "number.overflow column y");
+    EXPECT_EQ(with(1, 1e306, 0), "number.overflow column y");
+    EXPECT_EQ(with(1e-200, 1, 1), "number.overflow column x");
+    EXPECT_EQ(with(1e-322, 1, 1), "number.overflow column x");
+    FitTable wide{{-1.7e308, -1e308, 0, 1e308, 1.7e308}, {0, 1, 0, 1, 0}, {}};
+    EXPECT_EQ(refusal(wide), "number.overflow column x");
+    EXPECT_EQ(with(1e-50, 1e100, 1e100), "none");
+}
+
+TEST(FitRefuses, ANumberOfIntervalsAndATargetForDelta2) {
+    FitOptions options;
+    options.intervals = 5;
+    options.delta2 = 3;
+    EXPECT_EQ(refusal(good(), options), "fit.options intervals");
+}
+
+TEST(FitSays, HowManyIntervalsTheSamplesDetermine) {
+    FitOptions options;
+    options.intervals = 1000;
+    const FitReport report = fit(good().view(), options).report;
+    EXPECT_EQ(report.status, Status::not_met);
+    ASSERT_EQ(report.notes.size(), 1u);
+    EXPECT_EQ(report.notes[0], "intervals: the samples determine no more than " +
+                                   std::to_string(report.intervals));
 }
 
 TEST(FitChunkRefuses, WhatDoesNotBelongToIt) {

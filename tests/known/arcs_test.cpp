@@ -352,5 +352,15 @@ TEST(Arcs, WithinAToleranceFollowTheReferencesGreedyCounts) {
     }
 }
 
+TEST(Arcs, SayThatAToleranceBelowRoundingIsNotMet) {
+    ArcsOptions options;
+    options.tolerance = relative(1e-15);
+    const ArcFit fit = arcs(Example{"B"}.curve(1), options);
+    EXPECT_EQ(fit.report.status, Status::not_met);
+    EXPECT_LT(fit.report.max_error, 1e-12);
+    ASSERT_EQ(fit.report.notes.size(), 1u);
+    EXPECT_EQ(fit.report.notes[0].substr(0, 10), "tolerance:");
+}
+
 }  // namespace arcs_test
 }  // namespace batten

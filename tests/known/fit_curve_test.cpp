@@ -96,5 +96,20 @@ TEST(FitCurve, CountsEveryCoordinateAsASample) {
     EXPECT_EQ(made.report.sigma_source, SigmaSource::estimated);
 }
 
+TEST(FitCurve, SaysThatTheSearchEndedWhileTheCriterionStillFell) {
+    Points star(0, 2);
+    for (int i = 0; i < 101; ++i) {
+        const double a = two_pi * i / 101, radius = 2 + 0.5 * std::sin(5 * a);
+        star.push_back(std::vector<double>{radius * std::cos(a), radius * std::sin(a)});
+    }
+    FitOptions options;
+    options.closed = true;
+    const FitReport report = fit_curve(star, {}, options).report;
+    ASSERT_EQ(report.intervals, 50);
+    ASSERT_FALSE(report.notes.empty());
+    EXPECT_EQ(report.notes[0], "intervals: the criterion was still falling at 50, where "
+                               "coefficients are half as many as samples");
+}
+
 }  // namespace fit_curve_test
 }  // namespace batten

@@ -65,6 +65,14 @@ TEST(PrunedKnots, AreFewWhereTheDataAreSmooth) {
     EXPECT_LT(made_sum, 1.25 * plain_sum);
 }
 
+TEST(PrunedKnots, SayWhereTheyMakeACornerOrAJump) {
+    FitTable table = sampled(step, 200, 0.1, 3);
+    for (std::size_t i = 0; i < table.x.size(); ++i) table.y[i] = step(table.x[i]);
+    const FitReport report = fit(table.view(), pruned()).report;
+    ASSERT_EQ(report.notes.size(), 1u);
+    EXPECT_EQ(report.notes[0].substr(0, 22), "knots: a corner at 0.3");
+}
+
 TEST(PrunedKnots, ScaleExactly) {
     const FitTable table = sampled(step, 200, 0.1, 9);
     FitTable large = table;
@@ -91,6 +99,33 @@ TEST(PrunedKnots, AreFoundWithoutKnownErrorsAndBesideOutliers) {
     const Fit saved = fit(table.view(), options);
     EXPECT_LT(mean_error_sq(table, saved.spline, step), 0.003);
     EXPECT_FALSE(saved.report.rejected.empty());
+}
+
+TEST(RobustFit, DropsTheOutlierAndNoNeighbourHoweverFarOffItIs) {
+    for (const Robust robust : {Robust::reject, Robust::tukey}) {
+        for (const double sigmas : {8.0, 20.0, 50.0, 400.0, 1e6}) {
+            FitTable table = sampled(wave, 100, 0.05, 12);
+            table.y[40] += 0.05 * sigmas;
+            FitOptions options;
+            options.robust = robust;
+            const Fit made = fit(table.view(), options);
+            EXPECT_EQ(made.report.rejected, std::vector<std::size_t>{40}) << sigmas;
+            EXPECT_LT(made.report.intervals, 8) << sigmas;
+            if (sigmas < 20) continue;
+            EXPECT_EQ(fit(table.without_sigma(), options).report.rejected,
+                      std::vector<std::size_t>{40}) << sigmas;
+        }
+    }
+}
+
+TEST(RobustFit, KeepsJumpsAndPeaksOfTwoSamples) {
+    FitTable table = sampled(step, 200, 0.01, 13);
+    table.y[150] += 3;
+    table.y[151] += 3;
+    FitOptions options = pruned();
+    options.robust = Robust::reject;
+    const Fit made = fit(table.view(), options);
+    for (const std::size_t i : made.report.rejected) EXPECT_TRUE(i == 150 || i == 151) << i;
 }
 
 }  // namespace fit_pruned_test

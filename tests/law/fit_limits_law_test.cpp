@@ -167,5 +167,25 @@ TEST(FitLimits, ScaleExactlyWithTheOrdinates) {
     }
 }
 
+TEST(FitLimits, CloseTheBandAlsoWhereKnotsAreChosen) {
+    FitOptions options;
+    options.start_value = 0.1;
+    options.end_value = 0.9;
+    const FitBand band = fit(step_table(3).view(), options).report.covariance_band;
+    EXPECT_NEAR(band.lower.front(), 0.1, 1e-6);
+    EXPECT_NEAR(band.upper.front(), 0.1, 1e-6);
+    EXPECT_NEAR(band.lower.back(), 0.9, 1e-6);
+    EXPECT_NEAR(band.upper.back(), 0.9, 1e-6);
+}
+
+TEST(FitLimits, LeaveABandAsNarrowAsTheErrorsSayWhereKnotsAreChosen) {
+    FitOptions options;
+    options.monotone = Direction::down;  // against the data: far from every fit without limits
+    const FitBand band = fit(step_table(3).view(), options).report.covariance_band;
+    for (std::size_t i = 0; i < band.x.size(); ++i) {
+        EXPECT_LT(band.upper[i] - band.lower[i], 0.2) << band.x[i];
+    }
+}
+
 }  // namespace fit_limits_law_test
 }  // namespace batten

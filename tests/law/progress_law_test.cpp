@@ -3,7 +3,10 @@
 #include <cmath>
 #include <vector>
 
+#include "batten/api/operation.hpp"
 #include "batten/base/progress.hpp"
+#include "batten/make/fit.hpp"
+#include "batten/make/fit_curve.hpp"
 #include "batten/make/interpolate.hpp"
 
 namespace batten {
@@ -55,6 +58,68 @@ TEST(Progress, ChangesNoResult) {
     const Interpolation a = interpolate(wave(9), {}), b = interpolate(wave(9), watched);
     EXPECT_EQ(a.report.length, b.report.length);
     EXPECT_EQ(*a.report.tangent_angles, *b.report.tangent_angles);
+}
+
+/// Fits a wave of 60 samples with the listener, in the ways that can take long.
+template <class Listener>
+void fit_in_every_way(Listener listener) {
+    const Points points = wave(60);
+    std::vector<double> x, y;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        x.push_back(points(i, 0));
+        y.push_back(points(i, 1));
+    }
+    FitOptions options;
+    options.sigma = 0.2;
+    options.progress = Progress(listener);
+    for (const KnotPlacement knots :
+         {KnotPlacement::automatic, KnotPlacement::equal, KnotPlacement::free,
+          KnotPlacement::pruned}) {
+        options.knots = knots;
+        fit({x, y, {}}, options);
+    }
+    options.knots = KnotPlacement::automatic;
+    fit_curve(points, {}, options);
+    options.tolerance = absolute(0.1);
+    fit({x, y, {}}, options);
+}
+
+TEST(Progress, OfEveryFitGrowsToAll) {
+    int fits = 0;
+    double last = 0;
+    fit_in_every_way([&](double share) {
+        if (last == 1) last = 0;
+        EXPECT_GE(share, last);
+        EXPECT_LE(share, 1);
+        last = share;
+        fits += share == 1;
+        return true;
+    });
+    EXPECT_EQ(fits, 6);
+}
+
+TEST(Progress, StopsEveryFitAsSoonAsItIsAskedTo) {
+    int calls = 0;
+    EXPECT_THROW(fit_in_every_way([&](double) { return ++calls < 3; }), Cancelled);
+    EXPECT_EQ(calls, 3);
+    int fits = 0;
+    for (int spared = 0; spared < 6; ++spared) {
+        int done = 0;
+        EXPECT_THROW(fit_in_every_way([&](double share) {
+                         if (done == spared) return false;
+                         done += share == 1;
+                         return true;
+                     }),
+                     Cancelled);
+        fits += done == spared;
+    }
+    EXPECT_EQ(fits, 6);
+}
+
+TEST(Progress, ReachesAFitThroughTheTableOfOperations) {
+    const Input input{"wave", PointsInput{parse_table({"w.csv", "0,0\n1,1\n2,0\n3,1\n4,0\n"}), {}}};
+    const Progress refusing([](double) { return false; });
+    EXPECT_THROW(find_operation("fit")->run({&input, 1}, {}, refusing), Cancelled);
 }
 
 TEST(Progress, OfAStageIsItsShareOfTheWhole) {

@@ -11,7 +11,7 @@
 
 namespace batten {
 
-/// The first cell of a column that holds no finite number, as it was written.
+/// A cell that holds no finite number, as it was written.
 struct BadCell {
     std::size_t row = 0;
     std::string text;
@@ -24,15 +24,19 @@ struct BadCell {
 struct Table {
     std::string source;                       ///< what errors call the file
     std::vector<std::string> names;           ///< one a column, or none
-    Points cells;                             ///< rows x columns; bad cells hold 0
+    Points cells;                             ///< rows x columns; bad cells hold 0, or +inf
     std::vector<int> line_of_row;             ///< from 1: where each row stands in its file;
                                               ///< empty where there is none: rows from 0 then
-    std::vector<std::optional<BadCell>> bad;  ///< one a column
+    std::vector<std::optional<BadCell>> bad;  ///< the first one of each column
+    /// The first one that is not +inf either; columns beyond its end have none.
+    std::vector<std::optional<BadCell>> unusable;
     std::vector<std::string> notes;           ///< what a reader of the result should know
 
     int columns() const { return cells.dim(); }
     /// The name of a column, or `#k` with k from 1.
     std::string label(int column) const;
+    /// Notes that a cell holds no finite number but `x`, or none at all; what `cells` is to hold.
+    double mark_bad(std::size_t column, std::optional<double> x, BadCell cell);
 };
 
 enum class TableFormat {
@@ -70,6 +74,9 @@ std::vector<int> coordinate_columns(const Table& table, std::string_view picks =
 /// The numbers of one column. Throws `points.not-finite`, `number.overflow` or
 /// `table.not-a-number` at the first cell without a finite number.
 std::vector<double> column_values(const Table& table, int column);
+
+/// The same where +inf means something: errors of samples without weight.
+std::vector<double> column_errors(const Table& table, int column);
 
 /// Points whose coordinates stand in these columns. Throws what column_values throws.
 Points points_of(const Table& table, const std::vector<int>& columns);

@@ -123,7 +123,7 @@ struct ArcFit {
 /// Throws `points.dimension`, `points.not-finite`, `points.too-few` (2, closed 3 different ones),
 /// `points.all-equal`, `arcs.start-twice`, `arcs.start-not-taken`, `arcs.tangent-index`,
 /// `arcs.tangent-not-taken`, `arcs.chord-against-start`, `option.range` for a tolerance or
-/// radius that is not above 0.
+/// radius that is not above 0, `number.overflow` where the extent is beyond a double.
 /// Cost: a chain 8 ns an arc and its report about 1 us; a tolerance as in src/make/arcs/fewest.hpp.
 ArcFit arcs(PointsView points, const ArcsOptions& options);
 
@@ -136,7 +136,9 @@ ArcFit arcs(PointsView points, const ArcsOptions& options);
 /// also at more and more places between them (1, 2, 4, ... parts a piece).
 ///
 /// `error` is the distance from the curve to the arcs, searched at 24 or more places a stretch.
-/// Where the tangent turns at once the curve has a corner, and so have the arcs.
+/// Where the tangent turns at once the curve has a corner, and so have the arcs. A tolerance below
+/// 2^-44 of the largest coordinate is less than distances are good to: arcs are laid within that,
+/// and the report says so.
 /// Throws `curve.dimension` unless it is planar, `curve.one-point`, and of the above what fits.
 ArcFit arcs(const Curve& curve, const ArcsOptions& options);
 

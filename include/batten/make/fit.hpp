@@ -41,7 +41,8 @@ struct Fit {
 ///         O(intervals degree^3); automatic knots two passes over the data for any number of steps.
 /// Throws: `fit.lengths`, `points.not-finite`, `fit.sigma`, `fit.sigma-model`, `fit.too-few`,
 ///         `fit.x-equal`, `fit.knots`, `fit.intervals`, `fit.distribution`, `option.range`,
-///         `fit.options` for options that contradict each other, `number.overflow`.
+///         `fit.options` for options that contradict each other, `number.overflow`, and `Cancelled`
+///         where options.progress says so.
 /// Source: [Hatano, section 2].
 Fit fit(const FitSamples& samples, const FitOptions& options);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "batten/base/fields.hpp"
+#include "batten/base/progress.hpp"
 #include "batten/base/tolerance.hpp"
 
 namespace batten {
@@ -102,6 +103,7 @@ struct FitOptions {
     std::optional<double> start_value, start_slope, end_value, end_slope;
     int suggest = 0;
     int corrections = 10;
+    Progress progress;  ///< told at every refit; may stop the work, which throws `Cancelled`
 };
 
 template <class Options, class Visit>

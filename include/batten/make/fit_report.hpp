@@ -108,7 +108,7 @@ void visit_fields(const FitReport& r, Visit&& visit) {
     visit("sigma", r.sigma, "the error used, where it is one number");
     visit("rank", r.rank, "number of coefficients the data determine");
     visit("undetermined", r.undetermined, "coefficients the data do not determine");
-    visit("rejected", r.rejected, "rows without weight because of their residuals, from 0");
+    visit("rejected", r.rejected, "samples without weight because of their residuals, from 0");
     visit("suggestions", r.suggestions, "abscissae where a measurement narrows the band most");
     visit("max_residual", r.max_residual, "largest |residual|, data units");
     visit("notes", r.notes, "what else there is to say");

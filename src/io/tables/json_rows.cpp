@@ -42,11 +42,11 @@ Table read_json(std::string_view bytes, const std::string& source) {
         }
         for (std::size_t k = 0; k < columns; ++k) {
             const Value& cell = (*row)[k];
-            values.push_back(cell.is_number() ? cell.number() : 0);
-            if (!cell.is_number() && !table.bad[k]) {
-                table.bad[k] = BadCell{table.line_of_row.size() - 1,
-                                       dump_json(cell, JsonStyle::one_line)};
-            }
+            values.push_back(cell.is_number()
+                                 ? cell.number()
+                                 : table.mark_bad(k, std::nullopt,
+                                                  {table.line_of_row.size() - 1,
+                                                   dump_json(cell, JsonStyle::one_line)}));
         }
     }
     table.cells = Points(std::move(values), static_cast<int>(columns));

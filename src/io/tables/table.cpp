@@ -36,8 +36,7 @@ std::optional<int> named_column(const Table& table, std::string_view name) {
 }
 
 /// Why a cell holds no finite number.
-Error bad_cell(const Table& table, int column) {
-    const BadCell& bad = *table.bad[static_cast<std::size_t>(column)];
+Error bad_cell(const Table& table, int column, const BadCell& bad) {
     const bool is_from_file = !table.line_of_row.empty();
     const std::string row = is_from_file ? std::to_string(table.line_of_row[bad.row])
                                          : std::to_string(bad.row);
@@ -61,7 +60,14 @@ Error bad_cell(const Table& table, int column) {
 }
 
 void require_good(const Table& table, int column) {
-    if (table.bad[static_cast<std::size_t>(column)]) throw bad_cell(table, column);
+    const std::optional<BadCell>& bad = table.bad[static_cast<std::size_t>(column)];
+    if (bad) throw bad_cell(table, column, *bad);
+}
+
+std::vector<double> column_of(const Table& table, int column) {
+    std::vector<double> values(table.cells.size());
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = table.cells(i, column);
+    return values;
 }
 
 }  // namespace
@@ -70,6 +76,15 @@ std::string Table::label(int column) const {
     const std::size_t k = static_cast<std::size_t>(column);
     if (k < names.size() && !names[k].empty()) return utf8::printable(names[k]);
     return '#' + std::to_string(column + 1);
+}
+
+double Table::mark_bad(std::size_t column, std::optional<double> x, BadCell cell) {
+    const bool has_digits = cell.text.find_first_of("0123456789") != std::string::npos;
+    const bool is_infinite = x && *x > 0 && std::isinf(*x) && !has_digits;
+    if (!bad[column]) bad[column] = cell;
+    unusable.resize(bad.size());
+    if (!is_infinite && !unusable[column]) unusable[column] = std::move(cell);
+    return is_infinite ? *x : 0;
 }
 
 TableFormat table_format(const Source& source) {
@@ -138,9 +153,15 @@ std::vector<int> coordinate_columns(const Table& table, std::string_view picks) 
 
 std::vector<double> column_values(const Table& table, int column) {
     require_good(table, column);
-    std::vector<double> values(table.cells.size());
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = table.cells(i, column);
-    return values;
+    return column_of(table, column);
+}
+
+std::vector<double> column_errors(const Table& table, int column) {
+    const std::size_t k = static_cast<std::size_t>(column);
+    if (k < table.unusable.size() && table.unusable[k]) {
+        throw bad_cell(table, column, *table.unusable[k]);
+    }
+    return column_of(table, column);
 }
 
 Points points_of(const Table& table, const std::vector<int>& columns) {

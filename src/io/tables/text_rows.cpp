@@ -101,8 +101,8 @@ private:
         for (std::size_t k = 0; k < cells_.size(); ++k) {
             const std::optional<double> x = parse_number(cells_[k]);
             const bool is_good = x && std::isfinite(*x);
-            values_.push_back(is_good ? *x : 0);
-            if (!is_good && !table_.bad[k]) table_.bad[k] = BadCell{rows_, cell_text(cells_[k])};
+            values_.push_back(
+                is_good ? *x : table_.mark_bad(k, x, {rows_, cell_text(cells_[k])}));
         }
         ++rows_;
     }

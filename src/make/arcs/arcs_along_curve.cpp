@@ -115,6 +115,16 @@ Row chain_along(const CurveTask& task, const ArcsOptions& options, ArcsReport& s
     return row;
 }
 
+/// What distances from a curve are good to: a tolerance below asks for nothing but rounding.
+double rounding_of(const Curve& curve) {
+    double largest = 0;
+    for (const double t : curve.breaks()) {
+        const Vector p = station(curve, t, Side::after).point;
+        largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
+    }
+    return 0x1p-44 * std::max(largest, extent(curve));
+}
+
 void require_sound_curve(const Curve& curve, const ArcsOptions& options) {
     if (curve.dim() != 2) {
         throw Error("curve.dimension", "curve", std::to_string(curve.dim()) + " coordinates",
@@ -136,7 +146,7 @@ void require_sound_curve(const Curve& curve, const ArcsOptions& options) {
 ArcFit arcs(const Curve& curve, const ArcsOptions& options) {
     require_sound(options);
     require_sound_curve(curve, options);
-    const double scale = safe_scale(extent(curve));
+    const double scale = safe_scale(finite_extent(extent(curve)));
     if (scale != 1) {
         ArcsOptions same = options;
         if (same.tolerance && !same.tolerance->is_relative) same.tolerance->value /= scale;
@@ -144,7 +154,9 @@ ArcFit arcs(const Curve& curve, const ArcsOptions& options) {
         return scaled(arcs(batten::scaled(curve, 1 / scale), same), scale);
     }
     CurveTask task{curve, std::numeric_limits<double>::infinity(), radius_limit(options)};
-    if (options.tolerance) task.tolerance = options.tolerance->in_units(extent(curve));
+    double asked = task.tolerance;
+    if (options.tolerance) asked = options.tolerance->in_units(extent(curve));
+    task.tolerance = std::max(asked, rounding_of(curve));
     ArcsReport said;
     Row row;
     if (options.method == ArcMethod::chain) {
@@ -161,8 +173,12 @@ ArcFit arcs(const Curve& curve, const ArcsOptions& options) {
     ArcFit fit = assembled(row, closed);
     fit.report.status = said.status;
     fit.report.notes = std::move(said.notes);
-    if (options.tolerance && !(fit.report.max_error <= task.tolerance)) {
+    if (options.tolerance && !(fit.report.max_error <= asked)) {
         fit.report.status = Status::not_met;
+        if (asked < task.tolerance) {
+            fit.report.notes.push_back("tolerance: less than distances are good to: the arcs are "
+                                       "laid within " + format_number(task.tolerance));
+        }
     }
     return fit;
 }

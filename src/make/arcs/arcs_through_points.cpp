@@ -205,7 +205,7 @@ ArcFit Joiner::biarcs() {
 ArcFit arcs(PointsView points, const ArcsOptions& options) {
     require_sound(options);
     require_sound_points(points, options);
-    const double scale = safe_scale(extent(points));
+    const double scale = safe_scale(finite_extent(extent(points)));
     if (scale != 1) {
         Points smaller(points);
         for (double& x : smaller.coordinates()) x /= scale;

@@ -129,6 +129,11 @@ ArcFit scaled(const ArcFit& fit, double factor) {
     return result;
 }
 
+double finite_extent(double extent) {
+    if (std::isfinite(extent)) return extent;
+    throw Error("number.overflow", "points", "extent", "must lie within a double");
+}
+
 double safe_scale(double extent) {
     constexpr int usual = 300;  // 2^300 squared, times itself, is still a double
     const int exponent = extent > 0 ? std::ilogb(extent) : 0;

@@ -32,6 +32,9 @@ ArcFit assembled(const Row& row, bool closed);
 /// The fit of a figure that was scaled by 1 / factor, `factor` a power of two.
 ArcFit scaled(const ArcFit& fit, double factor);
 
+/// `extent`. Throws `number.overflow` where it is beyond a double.
+double finite_extent(double extent);
+
 /// The power of two by which to divide a figure of this extent so that squares of its lengths are
 /// neither lost nor infinite; 1 for all usual ones.
 double safe_scale(double extent);

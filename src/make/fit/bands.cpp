@@ -1,6 +1,8 @@
 #include "batten/make/fit_bands.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "make/fit/covariance.hpp"
 
@@ -21,6 +23,13 @@ double mixed_variance(const FitCovariance::Model& model, Variance&& variance, Va
         sum += a.weight * (scale_sq * variance(a.law) + off * off);
     }
     return sum;
+}
+
+/// Whether the spline is the same everywhere, to rounding.
+bool is_constant(const SplineFunction& s) {
+    constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+    const auto [lo, hi] = std::minmax_element(s.coefficients().begin(), s.coefficients().end());
+    return *hi - *lo <= rounding * std::max(std::fabs(*lo), std::fabs(*hi));
 }
 
 }  // namespace
@@ -68,6 +77,7 @@ std::vector<Uncertain> FitCovariance::roots(double level) const {
 std::vector<Uncertain> FitCovariance::extrema() const {
     std::vector<Uncertain> result;
     const SplineFunction& s = model_->own.spline();
+    if (is_constant(s)) return result;
     for (const double x : batten::extrema(s)) {
         const double bend = std::fabs(s(x, 2));
         if (bend > 0) result.push_back({x, deviation(x, 1) / bend});

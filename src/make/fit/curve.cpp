@@ -37,7 +37,7 @@ void require_curve_options(const FitOptions& o) {
 class Problem {
 public:
     Problem(PointsView points, std::span<const double> sigma, const FitOptions& options)
-        : ends_(ends_of(options)) {
+        : ends_(ends_of(options)), work_(options.progress) {
         const interpolation::Chords chords =
             interpolation::chords_with_repeats(points, options.closed);
         columns_.resize(static_cast<std::size_t>(points.dim()));
@@ -55,6 +55,15 @@ public:
         }
         domain_ = {0, sum};
         choose_sigma(sigma, options);
+        double largest = 0;
+        for (const double x : points.coordinates()) largest = std::max(largest, std::fabs(x));
+        require_units(samples(), largest, options.degree);
+        if (source_ == SigmaSource::estimated) {
+            Samples some = samples();
+            estimate_sigma(some, noise(), largest);
+            common_ = some.common_sigma;
+            least_delta2_ = some.least_delta2;
+        }
     }
 
     const std::vector<double>& parameters() const { return t_; }
@@ -73,6 +82,8 @@ public:
         result.source = source_;
         result.sigma_known = source_ != SigmaSource::estimated;
         result.range = domain_;
+        result.least_delta2 = least_delta2_;
+        result.work = work_;
         return result;
     }
 
@@ -104,16 +115,12 @@ private:
             sigma_.assign(sigma.begin(), sigma.end());
             source_ = SigmaSource::column;
         } else if (options.sigma) {
+            if (!(*options.sigma > 0 && std::isfinite(*options.sigma))) {
+                throw Error("fit.sigma", "sigma", format_number(*options.sigma),
+                            "must be above 0 and finite");
+            }
             common_ = *options.sigma;
             source_ = SigmaSource::number;
-        } else {
-            double sum = 0;
-            for (const auto& column : columns_) {
-                const double noise = noise_from_differences(t_, column);
-                sum += noise * noise;
-            }
-            const double noise = std::sqrt(sum / static_cast<double>(columns_.size()));
-            common_ = noise > 0 ? noise : 1;
         }
         for (std::size_t i = 0; i < sigma_.size(); ++i) {
             if (sigma_[i] > 0 && std::isfinite(sigma_[i])) continue;
@@ -122,11 +129,22 @@ private:
         }
     }
 
+    /// Of one coordinate, from differences of neighbours.
+    double noise() const {
+        double sum = 0;
+        for (const auto& column : columns_) {
+            const double one = noise_from_differences(t_, column);
+            sum += one * one;
+        }
+        return std::sqrt(sum / static_cast<double>(columns_.size()));
+    }
+
     Ends ends_;
     Interval domain_;
     std::vector<std::vector<double>> columns_;
     std::vector<double> t_, sigma_;
-    double common_ = 1;
+    double common_ = 1, least_delta2_ = 0;
+    Work work_;
     SigmaSource source_ = SigmaSource::estimated;
 };
 
@@ -160,6 +178,7 @@ FixedFit corrected(Problem& problem, FixedFit fixed, const LocalBasis& basis,
         std::vector<double> before = problem.parameters();
         problem.correct(coordinates_of(fixed, dim));
         const Samples samples = problem.samples();
+        samples.work.step();
         FixedFit next = solve_fixed(samples, fixed.knots, basis, ends_of(options));
         const double delta2 = tally_all(samples, coordinates_of(next, dim)).delta2;
         if (!next.undetermined.empty() || !(delta2 < best)) {
@@ -220,7 +239,7 @@ CurveFit fit_curve(PointsView points, std::span<const double> sigma, const FitOp
     fill_criteria(report, fixed,
                   {residuals.delta2, samples.values(),
                    samples.sigma_known ? SigmaKnowledge::known : SigmaKnowledge::unknown,
-                   static_cast<int>(curve.size())});
+                   static_cast<int>(curve.size()), samples.least_delta2});
     fill_tally(report, residuals);
     fill_spline(report, curve[0]);
     for (std::size_t s = 1; s < curve.size(); ++s) {
@@ -231,7 +250,15 @@ CurveFit fit_curve(PointsView points, std::span<const double> sigma, const FitOp
     report.sigma = problem.common_sigma();
     report.path = std::move(choice.path);
     report.notes = std::move(choice.notes);
+    note_what_sigma_hides(report);
+    for (const FitStep& step : report.path) {
+        const bool is_same = std::fabs(step.bic - report.bic) <= 1e-9 * std::fabs(report.bic);
+        if (step.intervals != report.intervals || is_same) continue;
+        report.notes.push_back("path: before the last correction of the parameters, bic " +
+                               format_number(step.bic) + " here");
+    }
     if (report.status == Status::met && !choice.is_met) report.status = Status::not_met;
+    samples.work.finish();
     return {curve_of(fixed, curve), problem.parameters(), std::move(report)};
 }
 

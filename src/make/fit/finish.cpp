@@ -1,6 +1,8 @@
 #include "make/fit/finish.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
@@ -19,18 +21,19 @@ void fill_criteria(FitReport& report, const FixedFit& fixed, const Misfit& misfi
     }
     const int parameters = misfit.sides * fixed.functions - fixed.fixed_count;
     const FitCriteria c =
-        fit_criteria(misfit.delta2, misfit.samples, parameters, misfit.knowledge);
+        fit_criteria(std::max(misfit.delta2, misfit.least), misfit.samples, parameters,
+                     misfit.knowledge);
     report.parameters = report.parameters_charged = parameters;
     report.rank = fixed.rank;
     report.undetermined = fixed.undetermined;
     report.samples = misfit.samples;
     report.delta2 = misfit.delta2;
-    report.sigma2 = c.sigma2;
     report.aic = c.aic;
     report.bic = c.bic;
     report.aicc = c.aicc;
     report.gcv = c.gcv;
     const double degrees = static_cast<double>(misfit.samples) - parameters;
+    if (degrees > 0) report.sigma2 = misfit.delta2 / degrees;
     if (misfit.knowledge == SigmaKnowledge::known && degrees > 0) {
         report.chi2_p = chi2_survival(misfit.delta2, degrees);
     }
@@ -49,6 +52,16 @@ void fill_spline(FitReport& report, const SplineFunction& spline) {
     report.breaks.assign(spline.breaks().begin(), spline.breaks().end());
     report.knots.assign(spline.knots().begin(), spline.knots().end());
     report.coefficients.assign(spline.coefficients().begin(), spline.coefficients().end());
+}
+
+void note_what_sigma_hides(FitReport& report) {
+    constexpr double alike = 3;
+    if (report.sigma_source != SigmaSource::estimated || !report.sigma || !report.sigma2) return;
+    const double ratio = std::sqrt(*report.sigma2);
+    if (ratio <= alike && ratio >= 1 / alike) return;
+    report.notes.push_back("sigma: estimated from differences of neighbours as " +
+                           format_number(*report.sigma) + "; by the residuals it is " +
+                           format_number(ratio * *report.sigma));
 }
 
 void fill_band(FitReport& report, const SplineFunction& spline, const FitCovariance& covariance) {

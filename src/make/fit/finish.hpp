@@ -14,6 +14,7 @@ struct Misfit {
     std::size_t samples = 0;
     SigmaKnowledge knowledge = SigmaKnowledge::known;
     int sides = 1;  ///< coordinates, each with its own coefficients
+    double least = 0;  ///< less than this is rounding, and no better
 };
 void fill_criteria(FitReport& report, const FixedFit& fixed, const Misfit& misfit);
 
@@ -22,6 +23,9 @@ void fill_tally(FitReport& report, const ResidualTally& tally);
 
 /// Knots, breaks and coefficients.
 void fill_spline(FitReport& report, const SplineFunction& spline);
+
+/// A note where errors were estimated and residuals are of another size: three times more or less.
+void note_what_sigma_hides(FitReport& report);
 
 /// The 95 % band at 201 abscissae.
 void fill_band(FitReport& report, const SplineFunction& spline, const FitCovariance& covariance);

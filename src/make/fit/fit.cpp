@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "make/fit/finish.hpp"
+#include "make/fit/isolated.hpp"
 #include "make/fit/knot_choice.hpp"
 #include "make/fit/shape_limits.hpp"
 
@@ -75,11 +76,57 @@ Status status_of(const FitReport& report, const KnotChoice& choice, bool is_with
     return choice.is_met ? Status::met : Status::not_met;
 }
 
+/// The alternatives, each with the limits asked for; those that cannot keep them are left out.
+std::vector<Alternative> limited(std::vector<Alternative> alternatives, const Samples& samples,
+                                 const LocalBasis& basis, const FitOptions& options) {
+    if (!has_limits(options)) return alternatives;
+    std::vector<Alternative> kept;
+    double sum = 0;
+    for (const Alternative& a : alternatives) {
+        const std::span<const double> knots = a.law.spline().knots();
+        FixedFit fixed = solve_fixed(samples, {knots.begin(), knots.end()}, basis, Ends::open);
+        if (!limit(fixed, options)) continue;
+        kept.push_back({a.weight, CoefficientLaw(spline_of(fixed), fixed.system, fixed.functions,
+                                                 fixed.held)});
+        sum += a.weight;
+    }
+    for (Alternative& a : kept) a.weight /= sum;
+    return kept;
+}
+
+/// The samples without those that stand alone, where outliers are to have no weight; `dropped`
+/// says which.
+struct Sieved {
+    Samples samples;
+    std::vector<std::size_t> dropped;
+};
+
+Sieved without_isolated(Samples samples, const FitOptions& options) {
+    if (options.robust != Robust::reject && options.robust != Robust::tukey) {
+        return {std::move(samples), {}};
+    }
+    const std::vector<double> factors = isolated_factors(samples);
+    if (factors.empty()) return {std::move(samples), {}};
+    std::vector<std::size_t> dropped;
+    double largest = 0;
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        if (std::isinf(factors[i])) dropped.push_back(samples.row(i));
+        else largest = std::max(largest, std::fabs(samples.sides[0][i]));
+    }
+    Samples rest = reweighted(samples, factors);
+    if (!rest.sigma_known) {
+        estimate_sigma(rest, noise_from_differences(rest.x, rest.sides[0]), largest);
+    }
+    if (samples.sigma.empty()) rest.sigma = {};
+    return {std::move(rest), std::move(dropped)};
+}
+
 }  // namespace
 
 Fit fit(const FitSamples& given, const FitOptions& options) {
     require_options(options);
-    const Samples samples = prepared(given, options);
+    Sieved sieved = without_isolated(prepared(given, options), options);
+    const Samples& samples = sieved.samples;
     const LocalBasis basis(options.degree + 1);
     KnotChoice choice = choose_knots(samples, basis, options);
     FinalFit last = final_fit(samples, basis, choice, options);
@@ -90,24 +137,29 @@ Fit fit(const FitSamples& given, const FitOptions& options) {
     const ResidualTally residuals = tally(used, spline);
     fill_criteria(report, last.fixed,
                   {residuals.delta2, used.size(),
-                   samples.sigma_known ? SigmaKnowledge::known : SigmaKnowledge::unknown});
+                   samples.sigma_known ? SigmaKnowledge::known : SigmaKnowledge::unknown, 1,
+                   samples.least_delta2});
     fill_tally(report, residuals);
     fill_spline(report, spline);
     report.parameters_charged += choice.moved;
     report.rejected = std::move(last.rejected);
+    report.rejected.insert(report.rejected.end(), sieved.dropped.begin(), sieved.dropped.end());
+    std::sort(report.rejected.begin(), report.rejected.end());
     report.sigma_source = samples.source;
     if (samples.sigma.empty()) report.sigma = samples.common_sigma;
     report.path = std::move(choice.path);
     report.notes = std::move(choice.notes);
+    note_what_sigma_hides(report);
     report.status = status_of(report, choice, last.is_within);
     if (!last.is_within) report.notes.push_back("limits: no spline over these knots keeps them");
     const FitCovariance covariance(std::make_shared<FitCovariance::Model>(FitCovariance::Model{
         CoefficientLaw(spline, last.fixed.system, last.fixed.functions, last.fixed.held),
-        std::move(choice.alternatives), width_of(report)}));
+        limited(std::move(choice.alternatives), used, basis, options), width_of(report)}));
     if (report.undetermined.empty()) fill_band(report, spline, covariance);
     if (options.suggest > 0) {
         report.suggestions = covariance.suggest(options.suggest, used.sigma_at(used.size() / 2));
     }
+    samples.work.finish();
     return {std::move(spline), covariance, std::move(report)};
 }
 

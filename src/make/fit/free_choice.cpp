@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "make/fit/exchange.hpp"
 #include "make/fit/tally.hpp"
@@ -27,11 +28,13 @@ public:
     /// Records; whether more knots are wanted. `moved`: the knots were optimised.
     bool wants_more(const Descent& d, bool moved) {
         const int p = d.set.count() + basis_.order();
-        FitStep step = step_of(d.delta2, samples_.size(), p, static_cast<int>(d.set.size()) + 1,
+        const double least = std::max(d.delta2, samples_.least_delta2);
+        FitStep step = step_of(least, samples_.size(), p, static_cast<int>(d.set.size()) + 1,
                                knowledge_of(samples_));
         const FitStep charged =
-            step_of(d.delta2, samples_.size(), moved ? p + d.set.count() : p, step.intervals,
+            step_of(least, samples_.size(), moved ? p + d.set.count() : p, step.intervals,
                     knowledge_of(samples_));
+        step.delta2 = d.delta2;
         if (plan_.rule == StopRule::distribution || plan_.wants_psi) {
             const FixedFit fixed = solve_fixed(
                 samples_, open_knots(samples_.range, d.set.flat(), basis_.order()), basis_,
@@ -50,6 +53,13 @@ public:
         choice_.is_converged = best_.is_converged;
         if (best_moved_ && is_singular(fit_, best_.set)) {
             choice_.notes.push_back("knots: not unique, some can move without changing delta2");
+        }
+        const std::string last = std::to_string(choice_.path.back().intervals);
+        if (!choice_.is_met) {
+            choice_.notes.push_back("intervals: the samples determine no more than " + last);
+        } else if (is_capped_ && since_best_ == 0) {
+            choice_.notes.push_back("intervals: the criterion was still falling at " + last +
+                                    ", where parameters are half as many as samples");
         }
         return std::move(choice_);
     }
@@ -75,7 +85,8 @@ private:
             is_better = is_first || value < least_;
             if (is_better) least_ = value;
             since_best_ = is_better ? 0 : since_best_ + 1;
-            is_end = since_best_ >= patience || 2 * (p + d.set.count()) > samples_size();
+            is_capped_ = 2 * (p + d.set.count()) > samples_size();
+            is_end = since_best_ >= patience || is_capped_;
         }
         if (is_better) {
             best_ = d;
@@ -94,6 +105,7 @@ private:
     bool best_moved_ = false;
     double least_ = 0;
     int since_best_ = 0;
+    bool is_capped_ = false;
 };
 
 KnotChoice grown(FreeFit& fit, FreeSearch& search) {

@@ -96,6 +96,7 @@ bool FreeFit::set_knots(const KnotSet& set) {
 }
 
 double FreeFit::value(const KnotSet& set) {
+    samples_.work.step();
     if (!set_knots(set)) return std::numeric_limits<double>::infinity();
     double sum = 0;
     part_sums_.resize(spans_.size());

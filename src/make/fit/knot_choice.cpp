@@ -194,6 +194,9 @@ void require_options(const FitOptions& o) {
     if (placement == KnotPlacement::given && o.intervals) {
         refuse("intervals", std::to_string(*o.intervals), "do not go with given knots");
     }
+    if (o.intervals && o.delta2) {
+        refuse("intervals", std::to_string(*o.intervals), "and delta2 exclude each other");
+    }
     if (o.stop == StopRule::none && !o.intervals && !o.delta2 &&
         placement != KnotPlacement::given) {
         refuse("stop", "none", "needs the number of intervals");

@@ -56,8 +56,10 @@ public:
         const double misfit = robust_refit(growth_, samples_, robust_, weights_);
         const SigmaKnowledge knowledge =
             samples_.sigma_known ? SigmaKnowledge::known : SigmaKnowledge::unknown;
-        FitStep step = step_of(misfit, samples_.values(), parameters(), growth_.intervals(),
-                               knowledge);
+        samples_.work.step();
+        FitStep step = step_of(std::max(misfit, samples_.least_delta2), samples_.values(),
+                               parameters(), growth_.intervals(), knowledge);
+        step.delta2 = misfit;
         if ((plan_.wants_psi && samples_.sides.size() == 1) || plan_.rule == StopRule::distribution) {
             const Psi psi = tally(samples_, residuals_of(growth_, samples_)).psi;
             step.psi.assign(psi.begin(), psi.end());
@@ -69,6 +71,7 @@ public:
 
     Path finish() {
         choose();
+        tell_why_it_ended();
         const bool is_chosen_freely = plan_.exactly == 0 && plan_.delta2 == 0;
         const bool has_bands = samples_.sides.size() == 1;
         if (has_bands && is_chosen_freely && is_criterion(plan_.rule)) weigh_alternatives();
@@ -108,7 +111,8 @@ private:
         // Where delta2 enters by its logarithm, interpolation would always win.
         const bool is_bounded = plan_.rule == StopRule::bic && samples_.sigma_known;
         const std::size_t twice = 2 * static_cast<std::size_t>(growth_.functions() + 1);
-        if (!is_bounded && twice > samples_.size()) return false;
+        is_capped_ = !is_bounded && twice > samples_.size();
+        if (is_capped_) return false;
         return step.intervals < std::max(least_reach, 2 * best_intervals_);
     }
 
@@ -130,6 +134,22 @@ private:
                                   std::to_string(path_.steps[path_.chosen].intervals) +
                                   " intervals are equally good; the fewer are taken");
         }
+    }
+
+    /// Where not the rule ended the search but what the samples allow.
+    void tell_why_it_ended() {
+        const std::string last = std::to_string(path_.steps.back().intervals);
+        if (!path_.is_met) {
+            path_.notes.push_back("intervals: the samples determine no more than " + last);
+            return;
+        }
+        const bool by_criterion =
+            plan_.exactly == 0 && plan_.delta2 == 0 && is_criterion(plan_.rule);
+        if (!by_criterion || path_.steps.size() == 1) return;
+        if (path_.chosen + 1 < path_.steps.size()) return;
+        path_.notes.push_back("intervals: the criterion was still falling at " + last +
+                              (is_capped_ ? ", where coefficients are half as many as samples"
+                                          : ", as many as the samples determine"));
     }
 
     /// Weights exp(-(misfit + charge p) / 2) of all steps, those that matter refitted.
@@ -164,6 +184,7 @@ private:
     double best_ = 0;
     int best_intervals_ = 1;
     bool is_met_ = false;
+    bool is_capped_ = false;  ///< the last step has as many coefficients as are allowed
 };
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
+#include "batten/base/text.hpp"
 #include "make/fit/knot_moves.hpp"
 
 namespace batten::fitting {
@@ -42,7 +44,9 @@ private:
         // Where delta2 enters by its logarithm, interpolation would always win.
         const int p = set.count() + fit_.order();
         if (!samples_.sigma_known && 2 * p > static_cast<int>(samples_.size())) return infinite;
-        const double misfit = samples_.sigma_known ? delta2 : n * std::log(std::max(delta2, tiny));
+        const double least = std::max(samples_.least_delta2, tiny);
+        const double misfit =
+            samples_.sigma_known ? delta2 : n * std::log(std::max(delta2, least));
         return misfit + std::log(n) * set.count();
     }
 
@@ -127,6 +131,16 @@ private:
     double cost_ = 0;
 };
 
+/// Stacked knots are corners and jumps, whatever the data are: the reader is told where.
+void note_stacks(KnotChoice& choice, const KnotSet& set, int order) {
+    for (std::size_t j = 0; j < set.size(); ++j) {
+        if (set.times[j] < order - 1 || set.times[j] < 2) continue;
+        const char* const what = set.times[j] == order ? "knots: a jump at " : "knots: a corner at ";
+        choice.notes.push_back(what + format_number(set.at[j]) + ", where " +
+                               std::to_string(set.times[j]) + " stand");
+    }
+}
+
 }  // namespace
 
 KnotChoice pruned_knots(const Samples& samples, const LocalBasis& basis,
@@ -149,6 +163,7 @@ KnotChoice pruned_knots(const Samples& samples, const LocalBasis& basis,
     choice.is_converged = sweeps < most_sweeps;
     choice.knots = open_knots(samples.range, pruning.set().flat(), basis.order());
     choice.moved = pruning.set().count();
+    note_stacks(choice, pruning.set(), basis.order());
     return choice;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <string>
 
@@ -22,6 +23,22 @@ double trace_of_trouble(std::span<const double> column) {
     for (const double lane : lanes) sum += lane;
     for (std::size_t i = whole; i < column.size(); ++i) sum += column[i] * 0.0;
     return sum;
+}
+
+/// The largest absolute value, at the speed of reading.
+double largest_of_column(std::span<const double> column) {
+    double lanes[8] = {};
+    const std::size_t whole = column.size() / 8 * 8;
+    for (std::size_t i = 0; i < whole; i += 8) {
+        for (std::size_t l = 0; l < 8; ++l) {
+            const double size = std::fabs(column[i + l]);
+            lanes[l] = size > lanes[l] ? size : lanes[l];
+        }
+    }
+    for (std::size_t i = whole; i < column.size(); ++i) {
+        lanes[0] = std::max(lanes[0], std::fabs(column[i]));
+    }
+    return *std::max_element(lanes, lanes + 8);
 }
 
 void require_finite(std::span<const double> column, const char* name) {
@@ -87,23 +104,30 @@ void sort_and_drop(Samples& samples) {
     samples.row_of = std::move(order);
 }
 
-/// Checks x and y, block by block, so that both come from memory once. Whether x falls somewhere.
-bool check_and_find_falls(std::span<const double> x, std::span<const double> y) {
+/// What one reading of the data tells.
+struct FirstLook {
+    bool falls = false;   ///< x, somewhere
+    double largest = 0;   ///< |y|
+};
+
+/// Checks x and y, block by block, so that both come from memory once.
+FirstLook checked(std::span<const double> x, std::span<const double> y) {
     constexpr std::size_t block = 1024;
     double trouble = 0;
-    bool falls = false;
+    FirstLook look;
     for (std::size_t first = 0; first < x.size(); first += block) {
         const std::size_t count = std::min(block, x.size() - first);
         trouble += trace_of_trouble(x.subspan(first, count));
         trouble += trace_of_trouble(y.subspan(first, count));
         const std::size_t from = std::max<std::size_t>(first, 1);
-        for (std::size_t i = from; i < first + count; ++i) falls |= x[i] < x[i - 1];
+        for (std::size_t i = from; i < first + count; ++i) look.falls |= x[i] < x[i - 1];
+        look.largest = std::max(look.largest, largest_of_column(y.subspan(first, count)));
     }
     if (trouble != 0) {
         require_finite(x, "x");
         require_finite(y, "y");
     }
-    return falls;
+    return look;
 }
 
 bool has_weightless(const Samples& samples) {
@@ -118,8 +142,9 @@ void choose_sigma(Samples& samples, const FitSamples& given, const FitOptions& o
         samples.source = SigmaSource::column;
         require_sigma(given.sigma);
     } else if (options.sigma) {
-        if (!(*options.sigma > 0)) {
-            throw Error("fit.sigma", "sigma", format_number(*options.sigma), "must be above 0");
+        if (!(*options.sigma > 0 && std::isfinite(*options.sigma))) {
+            throw Error("fit.sigma", "sigma", format_number(*options.sigma),
+                        "must be above 0 and finite");
         }
         samples.common_sigma = *options.sigma;
         samples.source = SigmaSource::number;
@@ -131,7 +156,42 @@ void choose_sigma(Samples& samples, const FitSamples& given, const FitOptions& o
     samples.sigma_known = samples.source != SigmaSource::estimated;
 }
 
+bool has_square(double size) { return size > 0x1p-480 && size < 0x1p480; }
+
+[[noreturn]] void refuse_units(const char* place, double value, const char* rule) {
+    throw Error("number.overflow", place, format_number(value), rule);
+}
+
 }  // namespace
+
+void require_units(const Samples& samples, double largest, int degree) {
+    double lo = samples.common_sigma, hi = lo;
+    if (!samples.sigma.empty()) {
+        const auto ends = std::minmax_element(samples.sigma.begin(), samples.sigma.end());
+        lo = *ends.first;
+        hi = *ends.second;
+    }
+    const bool is_estimated = samples.source == SigmaSource::estimated;
+    if (is_estimated && largest > 0 && !has_square(largest)) {
+        refuse_units("column y", largest, "squares of y must lie within a double");
+    }
+    for (const double sigma : {lo, hi}) {
+        const bool is_usable = largest == 0 || has_square(largest / sigma);
+        if (is_estimated || (has_square(sigma) && is_usable)) continue;
+        refuse_units("sigma", sigma,
+                     "squares of sigma and of y / sigma must lie within a double");
+    }
+    const double length = samples.range.hi - samples.range.lo;
+    if (!std::isfinite(length)) {
+        refuse_units("column x", length, "the range of x must lie within a double");
+    }
+    // The spline's highest derivative is no larger than some 2^40 y / length^degree.
+    const int slopes = largest > 0 ? std::ilogb(largest) - degree * std::ilogb(length) : 0;
+    if (length < 0x1p-900 || slopes > 980) {
+        refuse_units("column x", length,
+                     "derivatives over so short a range are beyond a double: take larger units");
+    }
+}
 
 double noise_from_differences(std::span<const double> x, std::span<const double> y) {
     double sum = 0;
@@ -147,6 +207,15 @@ double noise_from_differences(std::span<const double> x, std::span<const double>
     return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0;
 }
 
+void estimate_sigma(Samples& samples, double noise, double largest) {
+    constexpr double unit = std::numeric_limits<double>::epsilon();
+    constexpr double rounding = 8 * unit;  // of a spline's value, in units of the data
+    samples.common_sigma = std::max(noise, unit * largest);
+    if (!(samples.common_sigma > 0)) samples.common_sigma = 1;
+    const double lost = rounding * largest / samples.common_sigma;
+    samples.least_delta2 = static_cast<double>(samples.values()) * lost * lost;
+}
+
 Samples prepared(const FitSamples& given, const FitOptions& options) {
     if (given.y.size() != given.x.size() ||
         (!given.sigma.empty() && given.sigma.size() != given.x.size())) {
@@ -155,13 +224,13 @@ Samples prepared(const FitSamples& given, const FitOptions& options) {
                         std::to_string(given.sigma.size()),
                     "x, y and sigma must be equally many");
     }
-    const bool falls = check_and_find_falls(given.x, given.y);
+    const FirstLook look = checked(given.x, given.y);
     Samples samples;
     samples.x = given.x;
     samples.sides = {given.y};
     choose_sigma(samples, given, options);
     if (given.x.empty()) throw Error("fit.too-few", "samples", "0", "there must be samples");
-    if (falls || has_weightless(samples)) {
+    if (look.falls || has_weightless(samples)) {
         const auto [lo, hi] = std::minmax_element(given.x.begin(), given.x.end());
         samples.range = {*lo, *hi};
         sort_and_drop(samples);
@@ -172,10 +241,11 @@ Samples prepared(const FitSamples& given, const FitOptions& options) {
         throw Error("fit.x-equal", "x", format_number(samples.range.lo),
                     "the abscissae must not all be equal");
     }
+    if (samples.size() > 0) require_units(samples, look.largest, options.degree);
     if (!samples.sigma_known) {
-        const double noise = noise_from_differences(samples.x, samples.sides[0]);
-        samples.common_sigma = noise > 0 ? noise : 1;
+        estimate_sigma(samples, noise_from_differences(samples.x, samples.sides[0]), look.largest);
     }
+    samples.work = Work(options.progress);
     return samples;
 }
 
@@ -186,6 +256,8 @@ Samples reweighted(const Samples& samples, std::span<const double> factor) {
     result.sigma_known = samples.sigma_known;
     result.common_sigma = samples.common_sigma;
     result.source = samples.source;
+    result.least_delta2 = samples.least_delta2;
+    result.work = samples.work;
     result.range = samples.range;
     result.row_of = samples.row_of;
     std::vector<double> sigma(samples.size());

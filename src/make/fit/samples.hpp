@@ -7,6 +7,7 @@
 
 #include "batten/base/interval.hpp"
 #include "batten/make/fit.hpp"
+#include "make/fit/work.hpp"
 
 namespace batten::fitting {
 
@@ -29,6 +30,8 @@ struct Samples {
     double common_sigma = 1;
     bool sigma_known = false;
     SigmaSource source = SigmaSource::estimated;
+    double least_delta2 = 0;         ///< what rounding leaves; 0 where sigma is known
+    Work work;                       ///< told at every refit
     Interval range;                  ///< of all x, weightless ones included
     std::vector<std::size_t> row_of; ///< the caller's row of each sample; empty: the same
     std::vector<std::vector<double>> owned;
@@ -46,8 +49,16 @@ struct Samples {
 
 /// Checks, sorts (stably, once, only where needed) and drops what has weight 0.
 ///
-/// Throws `fit.lengths`, `points.not-finite`, `fit.sigma`, `fit.too-few`, `fit.x-equal`.
+/// Throws `fit.lengths`, `points.not-finite`, `fit.sigma`, `fit.too-few`, `fit.x-equal`, and what
+/// require_units throws.
 Samples prepared(const FitSamples& given, const FitOptions& options);
+
+/// Throws `number.overflow` where squares of y / sigma, or derivatives, would be beyond a double:
+/// then units are to be changed. `largest`: of all |y|.
+void require_units(const Samples& samples, double largest, int degree);
+
+/// Takes `noise` for the error of every ordinate, or what rounding is where there is less.
+void estimate_sigma(Samples& samples, double noise, double largest);
 
 /// The same samples with other weights: sigma x `factor`, inf dropping the sample.
 Samples reweighted(const Samples& samples, std::span<const double> factor);

@@ -21,6 +21,7 @@ public:
 
     /// Fits. False where the samples do not determine the spline.
     bool fit(const std::vector<double>& breaks) {
+        samples_.work.step();
         const std::span<const double> inner(breaks.data() + 1, breaks.size() - 2);
         FixedFit fixed =
             solve_fixed(samples_,

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "make/fit/samples.hpp"
+
+namespace batten::fitting {
+
+/// Factors of sigma, inf for every sample that stands alone: more than 10 sigma off the line
+/// through its two neighbours, and 5 times as far as any three of the three samples on either side
+/// are off theirs. Empty where there is none.
+///
+/// Such a sample bends every coarse fit so far that its neighbours look worse than it does, and
+/// knots are drawn to it. A jump or a peak of two samples stands alone nowhere. Where sigma is not
+/// known it is taken from the median of all.
+/// Cost: O(N), and O(N log N) where sigma is not known.
+std::vector<double> isolated_factors(const Samples& samples);
+
+}  // namespace batten::fitting
