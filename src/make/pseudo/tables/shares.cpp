@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -53,6 +54,10 @@ double angle_of(const Balance& b, double share) {
 class Bands {
 public:
     Bands() {
+        const std::span<const TurnPart> turns = turn_parts();
+        assert(turns.size() <= later_starts_.size());
+        later_starts_.fill(2 * pi);
+        for (std::size_t i = 1; i < turns.size(); ++i) later_starts_[i - 1] = turns[i].lo;
         for (std::size_t band = 0; band < bands; ++band) {
             const std::span<const int> cuts = band_cuts(band);
             for (std::size_t part = 0; part + 1 < cuts.size(); ++part) {
@@ -66,6 +71,12 @@ public:
             parts_of_turn += cuts.size() - 1;
         }
     }
+    /// Without a branch: turns go either way.
+    std::size_t turn_part(double turn) const {
+        std::size_t index = 0;
+        for (const double start : later_starts_) index += turn >= start ? 1 : 0;
+        return index;
+    }
     /// The share at y of a band, 0 to 1, and at x of a part of the turn, -1 to 1.
     double share(std::size_t turn_part, double x, std::size_t band, double y) const {
         const double scaled = std::clamp(y * cells, 0.0, cells - 1e-9);
@@ -78,10 +89,12 @@ public:
     std::size_t parts_of_turn = 0;
 
 private:
+    static constexpr std::size_t most_turn_parts = 16;
     static constexpr int cells = 256;
     std::array<std::array<std::uint8_t, cells>, bands> parts_{};
     std::array<const int*, bands> cuts_{};
     std::array<std::size_t, bands> first_{};
+    std::array<double, most_turn_parts> later_starts_{};
 };
 
 const Bands& band_index() {
@@ -92,8 +105,7 @@ const Bands& band_index() {
 /// Below the last of turn_parts().
 double banded_share(const Balance& b) {
     const std::span<const TurnPart> parts = turn_parts();
-    std::size_t index = 0;
-    for (const TurnPart& each : parts.subspan(1)) index += b.turn >= each.lo ? 1 : 0;
+    const std::size_t index = band_index().turn_part(b.turn);
     const TurnPart& part = parts[index];
     const double x = (2 * b.turn - (part.lo + part.hi)) / (part.hi - part.lo);
     std::array<double, bands + 1> ties{1};
