@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "batten/base/error.hpp"
 #include "make/interpolate/chords.hpp"
+#include "make/interpolate/natural_pass.hpp"
 #include "make/interpolate/spline.hpp"
 #include "num/banded.hpp"
+#include "shape/cubic_room.hpp"
 
 namespace batten::interpolation {
 namespace {
@@ -235,7 +238,24 @@ void NaturalPass::finish_spans(std::size_t from, std::size_t to, const Window& w
     }
 }
 
+/// The running sum. False where it need not grow: `parameters_by` knows.
+bool summed_up(const Chords& chords, std::span<double> breaks) {
+    double sum = 0;
+    breaks[0] = 0;
+    for (std::size_t i = 0; i < chords.lengths.size(); ++i) breaks[i + 1] = sum += chords.lengths[i];
+    return chords.shortest >= 0x1p-480 && sum <= 0x1p480 && chords.shortest >= 0x1p-52 * sum;
+}
+
 }  // namespace
+
+std::optional<PiecewiseCubic> plain_natural_curve(const Outline& outline) {
+    if (outline.points.dim() != 2) return std::nullopt;
+    const cubics::Room room(outline.points.size(), 2);
+    if (!summed_up(outline.chords, room.breaks())) return std::nullopt;
+    NaturalPass(outline.points, room.breaks(), room.block()).run();
+    return room.curve(false);
+}
+
 }  // namespace batten::interpolation
 
 namespace batten {

@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <utility>
-#include <vector>
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
@@ -14,6 +12,7 @@
 #include "make/pseudo/tables/segments.hpp"
 #include "num/plane_angles.hpp"
 #include "num/sum.hpp"
+#include "shape/cubic_room.hpp"
 
 namespace batten::interpolation {
 namespace {
@@ -216,12 +215,11 @@ PseudoSplineMeasures pseudo_pass(const Outline& outline, const PseudoSplineOptio
 }
 
 PseudoSpline pseudo_pass(const Outline& outline, const PseudoSplineOptions& options) {
-    const std::size_t joints = outline.chords.lengths.size() + 1;
-    std::vector<double> block(8 * joints), breaks(joints);
-    const PseudoSplineMeasures m = pseudo_pass(outline, options, block);
-    for (std::size_t i = 0; i < joints; ++i) breaks[i] = static_cast<double>(i);
-    return {PiecewiseCubic::power(std::move(block), 2, std::move(breaks), outline.closed),
-            m.length, m.area, m.pseudo_energy};
+    const cubics::Room room(outline.chords.lengths.size() + 1, 2);
+    const PseudoSplineMeasures m = pseudo_pass(outline, options, room.block());
+    double at = 0;
+    for (double& each : room.breaks()) each = at++;
+    return {room.curve(outline.closed), m.length, m.area, m.pseudo_energy};
 }
 
 }  // namespace batten::interpolation
