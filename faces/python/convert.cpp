@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "batten/api/argument.hpp"
 #include "batten/base/error.hpp"
@@ -71,47 +75,61 @@ Points points_from(py::handle object, const std::string& name) {
     return points;
 }
 
-void set_cell(Table& table, std::size_t row, std::size_t column, double x) {
-    if (!std::isfinite(x) && !table.bad[column]) table.bad[column] = {row, format_number(x)};
-    table.cells[row][column] = std::isfinite(x) ? x : 0;
+/// Keeps a Python object for those who know nothing of Python, on whatever thread they let it go.
+std::shared_ptr<const void> keeper_of(py::object object) {
+    return {new py::object(std::move(object)), [](const void* kept) {
+                const py::gil_scoped_acquire lock;
+                delete static_cast<const py::object*>(kept);
+            }};
 }
 
-Table empty_table(const std::string& name, std::size_t rows, std::size_t columns) {
+Table empty_table(const std::string& name, std::size_t columns) {
     Table table;
     table.source = name;
-    table.cells = Points(rows, static_cast<int>(columns));
+    table.cells = Points(0, static_cast<int>(columns));
     table.bad.resize(columns);
     return table;
 }
 
-Table table_of(PointsView rows, const std::string& name) {
-    const auto columns = static_cast<std::size_t>(rows.dim());
-    Table table = empty_table(name, rows.size(), columns);
-    for (std::size_t row = 0; row < rows.size(); ++row) {
-        for (std::size_t k = 0; k < columns; ++k) set_cell(table, row, k, rows[row][k]);
-    }
-    return table;
+PointsInput rows_input(const Array& array, const std::string& name) {
+    const PointsView rows = view_of_rows(array, name);
+    PointsInput input;
+    input.table = empty_table(name, static_cast<std::size_t>(rows.dim()));
+    input.borrowed = SharedPoints(rows, keeper_of(array));
+    return input;
 }
 
 /// `{"x": …, "y": …}`: columns by name.
-Table table_of(const py::dict& columns, const std::string& name) {
-    std::vector<Array> arrays;
+PointsInput columns_input(const py::dict& columns, const std::string& name) {
+    PointsInput input;
     std::vector<std::string> names;
     for (const auto& [key, value] : columns) {
         names.push_back(py::str(key));
-        arrays.push_back(array_of(value));
-        if (!arrays.back() || arrays.back().ndim() != 1 ||
-            arrays.back().size() != arrays.front().size()) {
+        const Array array = array_of(value);
+        const auto size = array ? static_cast<std::size_t>(array.size()) : 0;
+        if (!array || array.ndim() != 1 ||
+            (!input.shared_columns.empty() && size != input.shared_columns.front().size())) {
             throw Error("table.ragged", name, names.back(),
                         "columns must be numbers, all equally many");
         }
+        input.shared_columns.emplace_back(std::span(array.data(), size), keeper_of(array));
     }
-    if (arrays.empty()) throw Error("table.columns", name, "none", "must have columns");
-    Table table = empty_table(name, static_cast<std::size_t>(arrays.front().size()), arrays.size());
-    table.names = names;
-    for (std::size_t k = 0; k < arrays.size(); ++k) {
+    if (names.empty()) throw Error("table.columns", name, "none", "must have columns");
+    input.table = empty_table(name, names.size());
+    input.table.names = std::move(names);
+    return input;
+}
+
+/// As a table of its own, where points are wanted from columns.
+Table table_of(const PointsInput& input) {
+    Table table = input.table;
+    const auto& columns = input.shared_columns;
+    table.cells = Points(columns.front().size(), table.columns());
+    for (std::size_t k = 0; k < columns.size(); ++k) {
         for (std::size_t row = 0; row < table.cells.size(); ++row) {
-            set_cell(table, row, k, arrays[k].data()[row]);
+            const double x = columns[k][row];
+            if (!std::isfinite(x) && !table.bad[k]) table.bad[k] = {row, format_number(x)};
+            table.cells[row][k] = std::isfinite(x) ? x : 0;
         }
     }
     return table;
@@ -119,29 +137,20 @@ Table table_of(const py::dict& columns, const std::string& name) {
 
 }  // namespace
 
-void add_input(Inputs& all, const Operation& operation, py::handle object,
-               const std::string& name) {
-    if (py::isinstance<Curve>(object)) {
-        all.inputs.push_back({name, object.cast<const Curve&>()});
-    } else if (py::isinstance<Made>(object)) {
-        all.inputs.push_back(input_of(object.cast<const Made&>().outcome.output, name, operation));
-    } else if (py::isinstance<py::dict>(object)) {
-        all.inputs.push_back(
-            input_of(table_of(py::reinterpret_borrow<py::dict>(object), name), operation));
-    } else {
-        Array array = array_of(object);
-        if (!array) throw Error("input.kind", name, type_name(object), "must be points or a curve");
-        const PointsView rows = view_of_rows(array, name);
-        if (operation.input == InputKind::table) {
-            all.inputs.push_back(input_of(table_of(rows, name), operation));
-        } else {
-            PointsInput borrowed;
-            borrowed.table.source = name;
-            borrowed.borrowed = rows;
-            all.inputs.push_back({name, std::move(borrowed)});
-        }
-        all.owners.push_back(std::move(array));
+Input input_from(const Operation& operation, py::handle object, const std::string& name) {
+    if (py::isinstance<Curve>(object)) return {name, object.cast<const Curve&>()};
+    if (py::isinstance<Made>(object)) {
+        return input_of(object.cast<const Made&>().outcome.output, name, operation);
     }
+    const bool takes_table = operation.input == InputKind::table;
+    if (py::isinstance<py::dict>(object)) {
+        PointsInput columns = columns_input(py::reinterpret_borrow<py::dict>(object), name);
+        return takes_table ? Input{name, std::move(columns)}
+                           : input_of(table_of(columns), operation);
+    }
+    const Array array = array_of(object);
+    if (!array) throw Error("input.kind", name, type_name(object), "must be points or a curve");
+    return {name, rows_input(array, name)};
 }
 
 Argument argument_from(const Field& field, py::handle object) {

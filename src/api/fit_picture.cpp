@@ -68,7 +68,7 @@ Points outline(std::span<const double> x, std::span<const double> lower,
 }
 
 /// The samples' rows in rising x, those of `rows` only where it is not empty.
-Points dots(const FitData& data, const std::vector<double>& ordinates,
+Points dots(const FitData& data, std::span<const double> ordinates,
             const std::vector<std::size_t>& rows, bool listed) {
     std::vector<char> is_listed(data.x.size(), 0);
     for (const std::size_t i : rows) is_listed[i] = 1;
@@ -80,7 +80,7 @@ Points dots(const FitData& data, const std::vector<double>& ordinates,
     return points;
 }
 
-void add_dots(Panel& panel, const FitData& data, const std::vector<double>& ordinates,
+void add_dots(Panel& panel, const FitData& data, std::span<const double> ordinates,
               const std::vector<std::size_t>& rejected) {
     const Points kept = dots(data, ordinates, rejected, false);
     const Points left = dots(data, ordinates, rejected, true);
@@ -228,14 +228,14 @@ Drawing fit_picture(const FitData& data, const Fit& fit, const FitOptions& optio
     return drawing;
 }
 
-Drawing fit_curve_picture(const Points& points, const CurveFit& fit, const FitOptions& options) {
+Drawing fit_curve_picture(PointsView points, const CurveFit& fit, const FitOptions& options) {
     Drawing drawing;
     drawing.title = "Least-squares curve near " + std::to_string(points.size()) + " points";
     drawing.subtitle = subtitle(fit.report);
     drawing.width = 1000;
     drawing.panels[0].caption = "points and curve";
     const Curve curve(fit.curve);
-    drawing.add(PointsLayer{points, "data", Marker::open, {}, PointLabels::none, Tone::grey});
+    drawing.add(PointsLayer{Points(points), "data", Marker::open, {}, PointLabels::none, Tone::grey});
     drawing.add(CurveLayer{curve, "fit", {Tone::accent, Dash::solid, 1.8}});
     std::vector<double> at(curve.breaks().begin(), curve.breaks().end());
     drawing.add(TicksLayer{curve, at, "knots"});

@@ -1,8 +1,12 @@
 #include "api/row.hpp"
 
+#include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "batten/base/error.hpp"
+#include "batten/base/text.hpp"
 #include "batten/io/table.hpp"
 #include "batten/io/write_points.hpp"
 
@@ -15,6 +19,12 @@ const Input& single(std::span<const Input> inputs) {
                     "this operation takes one input");
     }
     return inputs.front();
+}
+
+SharedNumbers gathered(PointsView rows, int column) {
+    std::vector<double> numbers(rows.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = rows(i, column);
+    return SharedNumbers(std::move(numbers));
 }
 
 }  // namespace
@@ -31,14 +41,29 @@ const PointsInput& points_input(std::span<const Input> inputs) {
     return *points;
 }
 
-Points points_of(const PointsInput& input) {
-    if (!input.borrowed) return batten::points_of(input.table, input.columns);
+SharedPoints points_of(const PointsInput& input) {
+    if (!input.borrowed) return SharedPoints(batten::points_of(input.table, input.columns));
     require_finite(*input.borrowed);
-    return Points(*input.borrowed);
+    return *input.borrowed;
+}
+
+SharedNumbers column_in(const PointsInput& input, int column) {
+    const bool is_table = !input.borrowed && input.shared_columns.empty();
+    if (is_table) return SharedNumbers(column_values(input.table, column));
+    const std::size_t at = static_cast<std::size_t>(column);
+    const SharedNumbers numbers =
+        input.borrowed ? gathered(*input.borrowed, column) : input.shared_columns[at];
+    for (std::size_t row = 0; row < numbers.size(); ++row) {
+        if (std::isfinite(numbers[row])) continue;
+        Table refused = input.table;
+        refused.bad[at] = {row, format_number(numbers[row])};
+        column_values(refused, column);  // throws
+    }
+    return numbers;
 }
 
 std::vector<std::string> names_given(const PointsInput& input) {
-    if (input.borrowed) return coordinate_names(input.borrowed->dim());
+    if (input.borrowed && input.columns.empty()) return coordinate_names(input.borrowed->dim());
     if (input.table.names.empty()) return coordinate_names(static_cast<int>(input.columns.size()));
     std::vector<std::string> names;
     for (const int column : input.columns) {

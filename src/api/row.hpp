@@ -48,8 +48,12 @@ const Curve& curve_input(std::span<const Input> inputs);
 /// The one table of the inputs. Throws `input.kind`, `input.count`.
 const PointsInput& points_input(std::span<const Input> inputs);
 
-/// The coordinates of a points input.
-Points points_of(const PointsInput& input);
+/// The coordinates of a points input. Throws `points.not-finite`.
+SharedPoints points_of(const PointsInput& input);
+
+/// The numbers of one column of a table input, the memory given where they lie together there.
+/// Throws what `column_values` throws.
+SharedNumbers column_in(const PointsInput& input, int column);
 
 /// What its coordinate columns are called: as in the file, else x, y, z.
 std::vector<std::string> names_given(const PointsInput& input);
