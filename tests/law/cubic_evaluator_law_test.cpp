@@ -190,8 +190,8 @@ TEST(Operations, HoldTheOwnerOfPointsAndMakeNoCopyOfThem) {
     const auto points = std::make_shared<const Points>(gentle_way(2000, 3));
     const std::size_t bytes = points->coordinates().size_bytes();
     const Operation& operation = *find_operation("interpolate");
-    std::vector<Input> inputs{{"points", PointsInput{}}};
-    std::get<PointsInput>(inputs[0].content).borrowed = SharedPoints(*points, points);
+    std::vector<Input> inputs(1);
+    inputs[0] = {"points", PointsInput{{}, {}, SharedPoints(*points, points), {}}};
     std::optional<Outcome> outcome;
     const long by_operation =
         blocks_of(bytes, [&] { outcome = operation.run(inputs, {}, Progress()); });

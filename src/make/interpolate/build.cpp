@@ -64,7 +64,7 @@ PiecewiseCubic spline_as(const Outline& outline, const InterpolateOptions& optio
 
 PiecewiseCubic natural_spline(const Outline& outline, Parameter parameter) {
     if (parameter == Parameter::chord && !outline.closed) {
-        if (auto curve = plain_natural_curve(outline)) return *std::move(curve);
+        if (auto curve = plain_natural_curve(outline.points)) return *std::move(curve);
     }
     return spline_with(outline, parameters_by(parameter, outline.chords), Ends::natural);
 }

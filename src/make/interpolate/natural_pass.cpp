@@ -238,21 +238,13 @@ void NaturalPass::finish_spans(std::size_t from, std::size_t to, const Window& w
     }
 }
 
-/// The running sum. False where it need not grow: `parameters_by` knows.
-bool summed_up(const Chords& chords, std::span<double> breaks) {
-    double sum = 0;
-    breaks[0] = 0;
-    for (std::size_t i = 0; i < chords.lengths.size(); ++i) breaks[i + 1] = sum += chords.lengths[i];
-    return chords.shortest >= 0x1p-480 && sum <= 0x1p480 && chords.shortest >= 0x1p-52 * sum;
-}
-
 }  // namespace
 
-std::optional<PiecewiseCubic> plain_natural_curve(const Outline& outline) {
-    if (outline.points.dim() != 2) return std::nullopt;
-    const cubics::Room room(outline.points.size(), 2);
-    if (!summed_up(outline.chords, room.breaks())) return std::nullopt;
-    NaturalPass(outline.points, room.breaks(), room.block()).run();
+std::optional<PiecewiseCubic> plain_natural_curve(PointsView points) {
+    if (points.dim() != 2) return std::nullopt;
+    const cubics::Room room(points.size(), 2);
+    if (!plain_breaks(points, room.breaks())) return std::nullopt;
+    NaturalPass(points, room.breaks(), room.block()).run();
     return room.curve(false);
 }
 

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "make/pseudo/segment/descent.hpp"
+#include "make/pseudo/segment/kernel.hpp"
 #include "make/pseudo/segment/minima.hpp"
 #include "make/pseudo/tables/charts.hpp"
 #include "make/pseudo/tables/tabulated.hpp"
@@ -147,9 +149,28 @@ patches::Place place_of(const Seen& s) {
     return is_small ? patches::Place{} : atlas().find(s.point);
 }
 
+/// Below this r is better known to the gradient of J, which is in closed form, than to J, from which
+/// the tables of the strip are made.
+constexpr double most_polished = 0.4;
+
+/// One step of Newton's method on the gradient.
+TabulatedSegment polished(TabulatedSegment s, const AnglePair& a) {
+    const Expansion<2> j = expand_magnitudes({a.theta0, a.theta1, s.r0, s.r1});
+    const auto step = shifted_newton_step<2>({j.value, j.gradient, j.hessian}, 0);
+    constexpr double most = 0.01;
+    if (!step || !(std::fmax(std::fabs((*step)[0]), std::fabs((*step)[1])) < most)) return s;
+    s.r0 *= std::exp((*step)[0]);
+    s.r1 *= std::exp((*step)[1]);
+    return s;
+}
+
 TabulatedSegment worked_out(const Seen& s, const patches::Place& place) {
     const AnglePair& a = s.folded.angles;
-    if (place.functions > 0) return unfolded(atlas().least(place, s.point, a), s.folded);
+    if (place.functions > 0) {
+        const TabulatedSegment least = atlas().least(place, s.point, a);
+        const bool is_flat = s.point.chart == Chart::strip && a.theta0 < most_polished;
+        return unfolded(is_flat ? polished(least, a) : least, s.folded);
+    }
     const bool is_small = a.theta0 < least_angle0 || is_outside(s.point);
     return unfolded(is_small ? outside(a, s.point) : minimised(a), s.folded);
 }
