@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "batten/api/argument.hpp"
 #include "batten/base/error.hpp"
@@ -76,52 +80,59 @@ void set_cell(Table& table, std::size_t row, std::size_t column, double x) {
         std::isfinite(x) ? x : table.mark_bad(column, x, {row, format_number(x)});
 }
 
-Table empty_table(const std::string& name, std::size_t rows, std::size_t columns) {
+/// Keeps a Python object for those who know nothing of Python, on whatever thread they let it go.
+std::shared_ptr<const void> keeper_of(py::object object) {
+    return {new py::object(std::move(object)), [](const void* kept) {
+                const py::gil_scoped_acquire lock;
+                delete static_cast<const py::object*>(kept);
+            }};
+}
+
+Table empty_table(const std::string& name, std::size_t columns) {
     Table table;
     table.source = name;
-    table.cells = Points(rows, static_cast<int>(columns));
+    table.cells = Points(0, static_cast<int>(columns));
     table.bad.resize(columns);
     return table;
 }
 
-Table table_of(PointsView rows, const std::string& name) {
-    const auto columns = static_cast<std::size_t>(rows.dim());
-    Table table = empty_table(name, rows.size(), columns);
-    for (std::size_t row = 0; row < rows.size(); ++row) {
-        for (std::size_t k = 0; k < columns; ++k) set_cell(table, row, k, rows[row][k]);
-    }
-    return table;
+PointsInput rows_input(const Array& array, const std::string& name) {
+    const PointsView rows = view_of_rows(array, name);
+    PointsInput input;
+    input.table = empty_table(name, static_cast<std::size_t>(rows.dim()));
+    input.borrowed = SharedPoints(rows, keeper_of(array));
+    return input;
 }
 
 /// `{"x": …, "y": …}`: columns by name.
-struct Columns {
+PointsInput columns_input(const py::dict& columns, const std::string& name) {
+    PointsInput input;
     std::vector<std::string> names;
-    std::vector<Array> arrays;
-};
-
-Columns columns_of(const py::dict& columns, const std::string& name) {
-    Columns all;
-    auto& [names, arrays] = all;
     for (const auto& [key, value] : columns) {
         names.push_back(py::str(key));
-        arrays.push_back(array_of(value));
-        if (!arrays.back() || arrays.back().ndim() != 1 ||
-            arrays.back().size() != arrays.front().size()) {
+        const Array array = array_of(value);
+        const auto size = array ? static_cast<std::size_t>(array.size()) : 0;
+        if (!array || array.ndim() != 1 ||
+            (!input.shared_columns.empty() && size != input.shared_columns.front().size())) {
             throw Error("table.ragged", name, names.back(),
                         "columns must be numbers, all equally many");
         }
+        input.shared_columns.emplace_back(std::span(array.data(), size), keeper_of(array));
     }
-    if (arrays.empty()) throw Error("table.columns", name, "none", "must have columns");
-    return all;
+    if (names.empty()) throw Error("table.columns", name, "none", "must have columns");
+    input.table = empty_table(name, names.size());
+    input.table.names = std::move(names);
+    return input;
 }
 
-Table table_of(const py::dict& columns, const std::string& name) {
-    const auto [names, arrays] = columns_of(columns, name);
-    Table table = empty_table(name, static_cast<std::size_t>(arrays.front().size()), arrays.size());
-    table.names = names;
-    for (std::size_t k = 0; k < arrays.size(); ++k) {
+/// As a table of its own, where points are wanted from columns.
+Table table_of(const PointsInput& input) {
+    Table table = input.table;
+    const auto& columns = input.shared_columns;
+    table.cells = Points(columns.front().size(), table.columns());
+    for (std::size_t k = 0; k < columns.size(); ++k) {
         for (std::size_t row = 0; row < table.cells.size(); ++row) {
-            set_cell(table, row, k, arrays[k].data()[row]);
+            set_cell(table, row, k, columns[k][row]);
         }
     }
     return table;
@@ -150,13 +161,14 @@ GridFile grid_of(const Array& heights, const std::string& name) {
 }
 
 /// The columns as a file has them.
-std::string text_of(const Columns& columns) {
+std::string text_of(const PointsInput& input) {
+    const std::vector<std::string>& names = input.table.names;
     std::string text;
-    const auto next = [&](std::size_t k) { return k + 1 < columns.names.size() ? ',' : '\n'; };
-    for (std::size_t k = 0; k < columns.names.size(); ++k) text += columns.names[k] + next(k);
-    for (py::ssize_t i = 0; i < columns.arrays.front().size(); ++i) {
-        for (std::size_t k = 0; k < columns.names.size(); ++k) {
-            text += format_number(columns.arrays[k].data()[i]) + next(k);
+    const auto next = [&](std::size_t k) { return k + 1 < names.size() ? ',' : '\n'; };
+    for (std::size_t k = 0; k < names.size(); ++k) text += names[k] + next(k);
+    for (std::size_t i = 0; i < input.shared_columns.front().size(); ++i) {
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            text += format_number(input.shared_columns[k][i]) + next(k);
         }
     }
     return text;
@@ -181,7 +193,8 @@ std::string text_of_nodes(const Array& nodes) {
 /// Heights, points of three coordinates, or columns by name as in a file.
 Input grid_input(py::handle object, const std::string& name) {
     if (py::isinstance<py::dict>(object)) {
-        return {name, Source{name, text_of(columns_of(py::reinterpret_borrow<py::dict>(object), name))}};
+        const auto columns = py::reinterpret_borrow<py::dict>(object);
+        return {name, Source{name, text_of(columns_input(columns, name))}};
     }
     const py::object plain =
         py::hasattr(object, "filled")
@@ -199,33 +212,24 @@ Input grid_input(py::handle object, const std::string& name) {
 
 }  // namespace
 
-void add_input(Inputs& all, const Operation& operation, py::handle object,
-               const std::string& name) {
-    if (py::isinstance<Curve>(object)) {
-        all.inputs.push_back({name, object.cast<const Curve&>()});
-    } else if (py::isinstance<HeldSurface>(object)) {
-        all.inputs.push_back({name, object.cast<const HeldSurface&>().surface});
-    } else if (py::isinstance<Made>(object)) {
-        all.inputs.push_back(input_of(object.cast<const Made&>().outcome.output, name, operation));
-    } else if (operation.input == InputKind::grid) {
-        all.inputs.push_back(grid_input(object, name));
-    } else if (py::isinstance<py::dict>(object)) {
-        all.inputs.push_back(
-            input_of(table_of(py::reinterpret_borrow<py::dict>(object), name), operation));
-    } else {
-        Array array = array_of(object);
-        if (!array) throw Error("input.kind", name, type_name(object), "must be points, a curve or a surface");
-        const PointsView rows = view_of_rows(array, name);
-        if (operation.input == InputKind::table) {
-            all.inputs.push_back(input_of(table_of(rows, name), operation));
-        } else {
-            PointsInput borrowed;
-            borrowed.table.source = name;
-            borrowed.borrowed = rows;
-            all.inputs.push_back({name, std::move(borrowed)});
-        }
-        all.owners.push_back(std::move(array));
+Input input_from(const Operation& operation, py::handle object, const std::string& name) {
+    if (py::isinstance<Curve>(object)) return {name, object.cast<const Curve&>()};
+    if (py::isinstance<HeldSurface>(object)) {
+        return {name, object.cast<const HeldSurface&>().surface};
     }
+    if (py::isinstance<Made>(object)) {
+        return input_of(object.cast<const Made&>().outcome.output, name, operation);
+    }
+    if (operation.input == InputKind::grid) return grid_input(object, name);
+    const bool takes_table = operation.input == InputKind::table;
+    if (py::isinstance<py::dict>(object)) {
+        PointsInput columns = columns_input(py::reinterpret_borrow<py::dict>(object), name);
+        return takes_table ? Input{name, std::move(columns)}
+                           : input_of(table_of(columns), operation);
+    }
+    const Array array = array_of(object);
+    if (!array) throw Error("input.kind", name, type_name(object), "must be points, a curve or a surface");
+    return {name, rows_input(array, name)};
 }
 
 Argument argument_from(const Field& field, py::handle object) {

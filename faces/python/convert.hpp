@@ -5,7 +5,6 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "batten/api/operation.hpp"
 
@@ -28,15 +27,9 @@ struct HeldSurface {
     Surface surface;
 };
 
-/// Inputs, and the arrays whose memory they borrow.
-struct Inputs {
-    std::vector<Input> inputs;
-    std::vector<Array> owners;
-};
-
-/// Adds a curve, an outcome, an array of rows or a map of columns. Throws `input.kind`,
-/// `points.dimension`.
-void add_input(Inputs& all, const Operation& operation, py::handle object, const std::string& name);
+/// A curve, a surface, an outcome, an array of rows or of heights, or a map of columns. Arrays of float64 in C order are not
+/// copied: the input keeps them. Throws `input.kind`, `points.dimension`.
+Input input_from(const Operation& operation, py::handle object, const std::string& name);
 
 /// What a keyword's value means for an option. Throws `option.value`.
 Argument argument_from(const Field& field, py::handle object);

@@ -57,13 +57,13 @@ std::vector<Setting> settings_of(const Operation& operation, const py::kwargs& k
     return settings;
 }
 
-Inputs inputs_of(const Operation& operation, const py::args& arguments) {
-    Inputs inputs;
+std::vector<Input> inputs_of(const Operation& operation, const py::args& arguments) {
+    std::vector<Input> inputs;
     const std::string name = input_name(operation);
     for (const py::handle each : arguments) {
         const std::string number =
-            arguments.size() > 1 ? ' ' + std::to_string(inputs.inputs.size() + 1) : "";
-        add_input(inputs, operation, each, name + number);
+            arguments.size() > 1 ? ' ' + std::to_string(inputs.size() + 1) : "";
+        inputs.push_back(input_from(operation, each, name + number));
     }
     return inputs;
 }
@@ -71,7 +71,7 @@ Inputs inputs_of(const Operation& operation, const py::args& arguments) {
 void bind_operation(py::module_& module, const Operation& operation) {
     const std::string name = function_name(operation), doc = docstring(operation);
     const auto call = [&operation](const py::args& arguments, const py::kwargs& keywords) {
-        const Inputs inputs = inputs_of(operation, arguments);
+        const std::vector<Input> inputs = inputs_of(operation, arguments);
         const std::vector<Setting> settings = settings_of(operation, keywords);
         const py::object progress =
             keywords.contains("progress") ? py::object(keywords["progress"]) : py::none();
@@ -103,21 +103,27 @@ py::list names_of(const Made& made) {
     return names;
 }
 
-/// The rows that were made, or that go with the curve: each column by its name.
-py::dict rows_of(const Made& made) {
-    const Rows* output = std::get_if<Rows>(&made.outcome.output);
-    const Rows rows = output                ? *output
-                      : made.outcome.rows ? made.outcome.rows()
-                                            : Rows{{}, Points(0, 1)};
+/// Columns by name, each a view of the rows that `owner` keeps.
+py::dict columns_of(const Rows& rows, py::handle owner) {
+    const std::size_t width = rows.names.size();
     py::dict columns;
-    for (std::size_t k = 0; k < rows.names.size(); ++k) {
-        py::array_t<double> column(static_cast<py::ssize_t>(rows.cells.size()));
-        for (std::size_t i = 0; i < rows.cells.size(); ++i) {
-            column.mutable_data()[i] = rows.cells[i][k];
-        }
+    for (std::size_t k = 0; k < width; ++k) {
+        py::array_t<double> column({static_cast<py::ssize_t>(rows.cells.size())},
+                                   {static_cast<py::ssize_t>(width * sizeof(double))},
+                                   rows.cells.coordinates().data() + k, owner);
+        column.attr("setflags")(py::arg("write") = false);
         columns[py::str(rows.names[k])] = column;
     }
     return columns;
+}
+
+/// The rows that were made, or that go with the curve.
+py::dict rows_of(py::object self) {
+    const Outcome& outcome = self.cast<const Made&>().outcome;
+    if (const Rows* rows = std::get_if<Rows>(&outcome.output)) return columns_of(*rows, self);
+    if (!outcome.rows) return {};
+    auto* const rows = new Rows(outcome.rows());
+    return columns_of(*rows, py::capsule(rows, [](void* p) { delete static_cast<Rows*>(p); }));
 }
 
 py::dict forms_of(const Made& made) {
@@ -150,7 +156,7 @@ void bind_outcome(py::module_& module) {
             "the options as understood")
         .def_property_readonly("forms", &forms_of,
                                "functions that write the result for machines, by format")
-        .def("rows", &rows_of, "the rows made, or those that go with a fit, as columns by name")
+        .def("rows", &rows_of, "the rows made, or those that go with a fit: a view of each column by its name")
         .def("draw", &picture_of, "what was done as an SVG picture")
         .def("_repr_svg_", &picture_of)
         .def("to_json",

@@ -25,8 +25,8 @@ bool tell(const py::object& listener, double share) {
 
 }  // namespace
 
-Made run(const Operation& operation, const Inputs& inputs, const std::vector<Setting>& settings,
-         py::object progress) {
+Made run(const Operation& operation, const std::vector<Input>& inputs,
+         const std::vector<Setting>& settings, py::object progress) {
     Clock::time_point next = Clock::now() + pause;
     const Progress listening([&](double share) {
         const Clock::time_point now = Clock::now();
@@ -36,7 +36,7 @@ Made run(const Operation& operation, const Inputs& inputs, const std::vector<Set
     });
     try {
         const py::gil_scoped_release free;
-        return {&operation, operation.run(inputs.inputs, settings, listening)};
+        return {&operation, operation.run(inputs, settings, listening)};
     } catch (const Cancelled&) {
         if (PyErr_Occurred()) throw py::error_already_set();
         throw;

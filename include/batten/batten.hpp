@@ -9,6 +9,7 @@
 #include "batten/base/interval.hpp"
 #include "batten/base/points.hpp"
 #include "batten/base/progress.hpp"
+#include "batten/base/shared.hpp"
 #include "batten/base/text.hpp"
 #include "batten/base/tolerance.hpp"
 #include "batten/base/value.hpp"

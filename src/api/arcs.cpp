@@ -1,6 +1,7 @@
 #include "batten/make/arcs.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "api/machine_options.hpp"
@@ -80,12 +81,13 @@ Drawing picture(const ArcFit& fit, const Layer& given) {
     return drawing;
 }
 
-Outcome outcome(ArcFit fit, const ArcsRequest& request, Layer given) {
+/// `given` makes the layer of what was given, when a picture is wanted.
+Outcome outcome(ArcFit fit, const ArcsRequest& request, std::function<Layer()> given) {
     const Curve curve = fit.chain;
     const Status status = fit.report.status;
     Value report = report_value(fit.report);
     return {curve, status, {}, std::move(report),
-            [fit = std::move(fit), given = std::move(given)] { return picture(fit, given); },
+            [fit = std::move(fit), given = std::move(given)] { return picture(fit, given()); },
             machine_forms(curve, request.machine)};
 }
 
@@ -93,14 +95,17 @@ Outcome run(std::span<const Input> inputs, const ArcsRequest& request) {
     if (inputs.size() == 1 && std::holds_alternative<Curve>(inputs.front().content)) {
         const Curve& curve = curve_input(inputs);
         return outcome(arcs(curve, request.arcs), request,
-                       CurveLayer{curve, "curve given", {Tone::grey, Dash::solid, 5.0}});
+                       [curve] {
+                           return CurveLayer{curve, "curve given", {Tone::grey, Dash::solid, 5.0}};
+                       });
     }
     const PointsInput& input = points_input(inputs);
-    const Points points = points_of(input);
+    const SharedPoints points = points_of(input);
     ArcFit fit = naming_lines(input, [&] { return arcs(points.view(), request.arcs); });
     fit.report.notes.insert(fit.report.notes.begin(), input.table.notes.begin(),
                             input.table.notes.end());
-    return outcome(std::move(fit), request, PointsLayer{points, "points given"});
+    return outcome(std::move(fit), request,
+                   [points] { return PointsLayer{Points(points), "points given"}; });
 }
 
 }  // namespace

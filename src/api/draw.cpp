@@ -82,9 +82,9 @@ Outcome run(std::span<const Input> inputs, const DrawOptions& options) {
     }
     for (const Input& input : inputs) {
         if (const auto* table = std::get_if<PointsInput>(&input.content)) {
-            const Points points = points_of(*table);
+            const SharedPoints points = points_of(*table);
             report.points += points.size();
-            drawing.add(PointsLayer{points, legend(input), Marker::open, {},
+            drawing.add(PointsLayer{Points(points), legend(input), Marker::open, {},
                                     options.index ? PointLabels::index : PointLabels::none});
         }
     }

@@ -9,7 +9,7 @@ namespace batten::api {
 namespace {
 
 /// Curvature of the circle through three points against the chords' length.
-Points curvature_of(const Points& points) {
+Points curvature_of(PointsView points) {
     Points chart(0, 2);
     double s = 0;
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
@@ -22,7 +22,7 @@ Points curvature_of(const Points& points) {
     return chart;
 }
 
-Panel curvature_panel(const Points& before, const Points& after) {
+Panel curvature_panel(PointsView before, PointsView after) {
     const Points fair = curvature_of(after);
     double least = 0, most = 0;
     for (std::size_t i = 0; i < fair.size(); ++i) {
@@ -41,10 +41,10 @@ Panel curvature_panel(const Points& before, const Points& after) {
     return panel;
 }
 
-Drawing picture(const Points& points, const Fairing& made, const FairOptions& options) {
+Drawing picture(PointsView points, const Fairing& made, const FairOptions& options) {
     Drawing drawing;
     drawing.panels.front().caption = "points";
-    drawing.add(PointsLayer{points, "points", Marker::open, {}, PointLabels::none, Tone::grey});
+    drawing.add(PointsLayer{Points(points), "points", Marker::open, {}, PointLabels::none, Tone::grey});
     if (made.curve) {
         drawing.add(CurveLayer{*made.curve, "faired", {Tone::accent}});
         drawing.add(TicksLayer{*made.curve,
@@ -72,7 +72,7 @@ std::vector<std::string> names_of(const PointsInput& input) {
 
 Outcome run(std::span<const Input> inputs, const FairOptions& options) {
     const PointsInput& input = points_input(inputs);
-    const Points points = points_of(input);
+    const SharedPoints points = points_of(input);
     Fairing made = naming_lines(input, [&] { return fair(points, options); });
     made.report.notes.insert(made.report.notes.begin(), input.table.notes.begin(),
                              input.table.notes.end());

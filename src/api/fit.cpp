@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numeric>
+#include <utility>
 
 #include "api/fit_picture.hpp"
 #include "api/row.hpp"
@@ -91,32 +93,36 @@ std::string name_of_column(const Table& table, int column, const char* otherwise
 }
 
 /// The errors asked for: a column, or a number that goes into options.fit.sigma.
-std::vector<double> sigma_of(const Table& table, FitTableOptions& options) {
+SharedNumbers sigma_of(const PointsInput& input, FitTableOptions& options) {
+    const Table& table = input.table;
     if (const auto number = parse_number(options.sigma)) {
         options.fit.sigma = *number;
     } else if (!options.sigma.empty()) {
-        return column_errors(table, column_index(table, options.sigma));
+        return errors_in(input, column_index(table, options.sigma));
     } else if (options.fit.sigma_model.empty() && has_column(table, "sigma")) {
-        return column_errors(table, column_index(table, "sigma"));
+        return errors_in(input, column_index(table, "sigma"));
     }
     return {};
 }
 
-FitData data_of(const Table& table, FitTableOptions& options) {
+FitData data_of(const PointsInput& input, FitTableOptions& options) {
+    const Table& table = input.table;
     const int x = column_of(table, options.x, {"x"}, 1);
     const int y = column_of(table, options.y, {"y", "f"}, x == 1 && options.y.empty() ? 1 : 2);
-    return {column_values(table, x), column_values(table, y), sigma_of(table, options),
+    return {column_in(input, x), column_in(input, y), sigma_of(input, options),
             name_of_column(table, x, "x"), name_of_column(table, y, "y")};
 }
 
 /// One error a sample, whatever they came from: what pictures and rows show.
 void fill_sigma(FitData& data, const Fit& made, const FitOptions& options) {
     if (!data.sigma.empty()) return;
-    data.sigma.assign(data.x.size(), made.report.sigma.value_or(1));
-    if (options.sigma_model.size() != 2) return;
-    for (std::size_t i = 0; i < data.x.size(); ++i) {
-        data.sigma[i] = std::sqrt(options.sigma_model[0] * data.y[i] + options.sigma_model[1]);
+    std::vector<double> sigma(data.x.size(), made.report.sigma.value_or(1));
+    if (options.sigma_model.size() == 2) {
+        for (std::size_t i = 0; i < sigma.size(); ++i) {
+            sigma[i] = std::sqrt(options.sigma_model[0] * data.y[i] + options.sigma_model[1]);
+        }
     }
+    data.sigma = SharedNumbers(std::move(sigma));
 }
 
 /// Samples without weight are left out: a file of numbers has no word for their sigma.
@@ -132,7 +138,7 @@ Rows residual_rows(const FitData& data, const SplineFunction& spline) {
 }
 
 /// The points, their parameters, and how far the curve passes.
-Rows distance_rows(const Points& points, const CurveFit& made) {
+Rows distance_rows(PointsView points, const CurveFit& made) {
     std::vector<std::string> names{"t"};
     for (const std::string& axis : coordinate_names(points.dim())) names.push_back(axis);
     for (const std::string& axis : coordinate_names(points.dim())) names.push_back("fit_" + axis);
@@ -187,17 +193,33 @@ std::vector<int> columns_of(const PointsInput& input, const FitTableOptions& opt
     return input.columns.empty() ? coordinate_columns(table, picks) : input.columns;
 }
 
+/// Columns as points: the memory given where it holds just these.
+SharedPoints points_in(const PointsInput& input, const std::vector<int>& columns) {
+    std::vector<int> all(static_cast<std::size_t>(input.table.columns()));
+    std::iota(all.begin(), all.end(), 0);
+    if (input.borrowed && columns == all) return points_of(input);
+    if (!input.borrowed && input.shared_columns.empty()) {
+        return SharedPoints(batten::points_of(input.table, columns));
+    }
+    std::vector<SharedNumbers> coordinates;
+    for (const int column : columns) coordinates.push_back(column_in(input, column));
+    Points points(coordinates.front().size(), static_cast<int>(columns.size()));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        for (std::size_t k = 0; k < columns.size(); ++k) points[i][k] = coordinates[k][i];
+    }
+    return SharedPoints(std::move(points));
+}
+
 Outcome run_parametric(const PointsInput& input, FitTableOptions options) {
-    const std::vector<double> sigma = sigma_of(input.table, options);
-    const auto points =
-        std::make_shared<Points>(points_of(input.table, columns_of(input, options)));
+    const SharedNumbers sigma = sigma_of(input, options);
+    const SharedPoints points = points_in(input, columns_of(input, options));
     auto made = std::make_shared<CurveFit>(
-        naming_lines(input, [&] { return fit_curve(*points, sigma, options.fit); }));
+        naming_lines(input, [&] { return fit_curve(points, sigma, options.fit); }));
     made->report.notes.insert(made->report.notes.begin(), input.table.notes.begin(),
                               input.table.notes.end());
     return {Curve(made->curve), made->report.status, {}, report_value(made->report),
-            [points, made, o = options.fit] { return fit_curve_picture(*points, *made, o); },
-            {}, [points, made] { return distance_rows(*points, *made); }};
+            [points, made, o = options.fit] { return fit_curve_picture(points, *made, o); },
+            {}, [points, made] { return distance_rows(points, *made); }};
 }
 
 Outcome run(std::span<const Input> inputs, const FitTableOptions& asked) {
@@ -205,7 +227,7 @@ Outcome run(std::span<const Input> inputs, const FitTableOptions& asked) {
     options.fit.progress = asked.progress;
     const PointsInput& input = points_input(inputs);
     if (options.parametric) return run_parametric(input, options);
-    const auto data = std::make_shared<FitData>(data_of(input.table, options));
+    const auto data = std::make_shared<FitData>(data_of(input, options));
     auto made = std::make_shared<Fit>(
         naming_lines(input, [&] { return fit(data->view(), options.fit); }));
     fill_sigma(*data, *made, options.fit);

@@ -226,14 +226,14 @@ Drawing fit_picture(const FitData& data, const Fit& fit, const FitOptions& optio
     return drawing;
 }
 
-Drawing fit_curve_picture(const Points& points, const CurveFit& fit, const FitOptions& options) {
+Drawing fit_curve_picture(PointsView points, const CurveFit& fit, const FitOptions& options) {
     Drawing drawing;
     drawing.title = "Least-squares curve near " + std::to_string(points.size()) + " points";
     drawing.subtitle = subtitle(fit.report);
     drawing.width = 1000;
     drawing.panels[0].caption = "points and curve";
     const Curve curve(fit.curve);
-    drawing.add(PointsLayer{points, "data", Marker::open, {}, PointLabels::none, Tone::grey});
+    drawing.add(PointsLayer{Points(points), "data", Marker::open, {}, PointLabels::none, Tone::grey});
     drawing.add(CurveLayer{curve, "fit", {Tone::accent, Dash::solid, 1.8}});
     std::vector<double> at(curve.breaks().begin(), curve.breaks().end());
     drawing.add(TicksLayer{curve, at, "knots"});

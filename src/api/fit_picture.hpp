@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "batten/base/shared.hpp"
 #include "batten/io/draw/drawing.hpp"
 #include "batten/make/fit.hpp"
 #include "batten/make/fit_curve.hpp"
@@ -12,7 +13,7 @@ namespace batten::api {
 
 /// What was fitted, in the order it was given; sigma has one number a sample.
 struct FitData {
-    std::vector<double> x, y, sigma;
+    SharedNumbers x, y, sigma;
     std::string x_name, y_name;
 
     FitSamples view() const { return {x, y, sigma}; }
@@ -23,6 +24,6 @@ struct FitData {
 Drawing fit_picture(const FitData& data, const Fit& fit, const FitOptions& options);
 
 /// Points and curve with its knots; what the stopping rule saw.
-Drawing fit_curve_picture(const Points& points, const CurveFit& fit, const FitOptions& options);
+Drawing fit_curve_picture(PointsView points, const CurveFit& fit, const FitOptions& options);
 
 }  // namespace batten::api

@@ -5,17 +5,17 @@
 namespace batten::api {
 namespace {
 
-Drawing picture(const Points& points, const Curve& curve, const InterpolateOptions& options) {
+Drawing picture(PointsView points, const Curve& curve, const InterpolateOptions& options) {
     Drawing drawing;
     if (curve.dim() == 2) drawing.add(CombLayer{curve, "curvature"});
     drawing.add(CurveLayer{curve, std::string(name_of(options.method)), {}});
-    drawing.add(PointsLayer{points, "points", Marker::open, options.corner});
+    drawing.add(PointsLayer{Points(points), "points", Marker::open, options.corner});
     return drawing;
 }
 
 Outcome run(std::span<const Input> inputs, const InterpolateOptions& options) {
     const PointsInput& input = points_input(inputs);
-    const Points points = points_of(input);
+    const SharedPoints points = points_of(input);
     Interpolation made = naming_lines(input, [&] { return interpolate(points, options); });
     made.report.notes.insert(made.report.notes.begin(), input.table.notes.begin(),
                              input.table.notes.end());

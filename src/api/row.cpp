@@ -1,8 +1,13 @@
 #include "api/row.hpp"
 
+#include <cmath>
+#include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "batten/base/error.hpp"
+#include "batten/base/text.hpp"
 #include "batten/io/table.hpp"
 #include "batten/io/write_points.hpp"
 
@@ -15,6 +20,12 @@ const Input& single(std::span<const Input> inputs) {
                     "this operation takes one input");
     }
     return inputs.front();
+}
+
+SharedNumbers gathered(PointsView rows, int column) {
+    std::vector<double> numbers(rows.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = rows(i, column);
+    return SharedNumbers(std::move(numbers));
 }
 
 }  // namespace
@@ -47,14 +58,47 @@ GridFile grid_input(std::span<const Input> inputs) {
     return parse_grid(*source);
 }
 
-Points points_of(const PointsInput& input) {
-    if (!input.borrowed) return batten::points_of(input.table, input.columns);
+SharedPoints points_of(const PointsInput& input) {
+    if (!input.borrowed) return SharedPoints(batten::points_of(input.table, input.columns));
     require_finite(*input.borrowed);
-    return Points(*input.borrowed);
+    return *input.borrowed;
+}
+
+namespace {
+
+/// One column's numbers, read by `read` where they stand in a table; numbers in memory that
+/// `is_usable` refuses are shown to it too, for its error.
+template <class IsUsable, class Read>
+SharedNumbers numbers_in(const PointsInput& input, int column, IsUsable is_usable, Read read) {
+    const bool is_table = !input.borrowed && input.shared_columns.empty();
+    if (is_table) return SharedNumbers(read(input.table, column));
+    const std::size_t at = static_cast<std::size_t>(column);
+    const SharedNumbers numbers =
+        input.borrowed ? gathered(*input.borrowed, column) : input.shared_columns[at];
+    for (std::size_t row = 0; row < numbers.size(); ++row) {
+        if (is_usable(numbers[row])) continue;
+        Table refused = input.table;
+        refused.mark_bad(at, numbers[row], {row, format_number(numbers[row])});
+        read(refused, column);  // throws
+    }
+    return numbers;
+}
+
+}  // namespace
+
+SharedNumbers column_in(const PointsInput& input, int column) {
+    return numbers_in(input, column, [](double x) { return std::isfinite(x); }, column_values);
+}
+
+SharedNumbers errors_in(const PointsInput& input, int column) {
+    const auto is_usable = [](double x) {
+        return std::isfinite(x) || x == std::numeric_limits<double>::infinity();
+    };
+    return numbers_in(input, column, is_usable, column_errors);
 }
 
 std::vector<std::string> names_given(const PointsInput& input) {
-    if (input.borrowed) return coordinate_names(input.borrowed->dim());
+    if (input.borrowed && input.columns.empty()) return coordinate_names(input.borrowed->dim());
     if (input.table.names.empty()) return coordinate_names(static_cast<int>(input.columns.size()));
     std::vector<std::string> names;
     for (const int column : input.columns) {

@@ -55,8 +55,16 @@ const Surface& surface_input(std::span<const Input> inputs);
 /// and what parse_grid throws.
 GridFile grid_input(std::span<const Input> inputs);
 
-/// The coordinates of a points input.
-Points points_of(const PointsInput& input);
+/// The coordinates of a points input. Throws `points.not-finite`.
+SharedPoints points_of(const PointsInput& input);
+
+/// The numbers of one column of a table input, the memory given where they lie together there.
+/// Throws what `column_values` throws.
+SharedNumbers column_in(const PointsInput& input, int column);
+
+/// The errors in one column of a table input, of which +inf (no weight) is one. Throws what
+/// `column_errors` throws.
+SharedNumbers errors_in(const PointsInput& input, int column);
 
 /// What its coordinate columns are called: as in the file, else x, y, z.
 std::vector<std::string> names_given(const PointsInput& input);

@@ -52,7 +52,7 @@ Panel speed_plot(const Sampling& made) {
     return panel;
 }
 
-Drawing picture(const Curve& curve, const std::optional<Points>& points, const Sampling& made,
+Drawing picture(const Curve& curve, const std::optional<SharedPoints>& points, const Sampling& made,
                 const SampleOptions& options) {
     Drawing drawing;
     drawing.columns = 1;
@@ -61,12 +61,12 @@ Drawing picture(const Curve& curve, const std::optional<Points>& points, const S
                    std::string(name_of(options.law));
     walk.add(CurveLayer{curve, {}, {}});
     walk.add(TicksLayer{curve, column(made, "t"), {}, Tone::blue});
-    if (points) walk.add(PointsLayer{*points, "points"});
+    if (points) walk.add(PointsLayer{Points(*points), "points"});
     drawing.panels.push_back(speed_plot(made));
     return drawing;
 }
 
-Outcome outcome_of(const Curve& curve, const std::optional<Points>& points, Sampling made,
+Outcome outcome_of(const Curve& curve, const std::optional<SharedPoints>& points, Sampling made,
                    const SampleOptions& options) {
     const SampleReport report = made.report;
     Rows rows{made.names, made.rows};
@@ -80,7 +80,7 @@ Outcome run(std::span<const Input> inputs, const SampleOptions& options) {
         return outcome_of(curve, std::nullopt, sample(curve, options), options);
     }
     const PointsInput& input = points_input(inputs);
-    const Points points = points_of(input);
+    const SharedPoints points = points_of(input);
     return naming_lines(input, [&] {
         return outcome_of(harada_nakamae_curve(points), points,
                           sample_harada_nakamae(points, options), options);

@@ -18,11 +18,11 @@ Curve curve_again(const Points& kept, const ThinOptions& options) {
     return densify(kept, same).curve;
 }
 
-Drawing picture(const Points& given, const Thinned& thinned, const ThinOptions& options) {
+Drawing picture(PointsView given, const Thinned& thinned, const ThinOptions& options) {
     Drawing drawing;
     drawing.add(CurveLayer{curve_again(thinned.points, options), "curve of the points kept",
                            {Tone::blue, Dash::solid, 1.3}});
-    drawing.add(PointsLayer{given, "points given", Marker::closed, {}, PointLabels::none,
+    drawing.add(PointsLayer{Points(given), "points given", Marker::closed, {}, PointLabels::none,
                             Tone::grey});
     drawing.add(PointsLayer{thinned.points, "points kept"});
     return drawing;
@@ -50,7 +50,7 @@ Rows rows_kept(const PointsInput& input, const Thinned& thinned) {
 
 Outcome run(std::span<const Input> inputs, const ThinOptions& options) {
     const PointsInput& input = points_input(inputs);
-    const Points points = points_of(input);
+    const SharedPoints points = points_of(input);
     Thinned thinned = naming_lines(input, [&] { return thin(points, options); });
     thinned.report.notes.insert(thinned.report.notes.begin(), input.table.notes.begin(),
                                 input.table.notes.end());

@@ -29,13 +29,6 @@ Outputs plain_polynomial(const double* c, double u, double v) {
 
 constexpr int small_size = 8;
 
-/// From the sums of the powers of y: r[i] belongs to x^i.
-double in_powers(const double* r, double x) {
-    const double x2 = x * x;
-    return ((r[0] + r[1] * x) + (r[2] + r[3] * x) * x2) +
-           ((r[4] + r[5] * x) + (r[6] + r[7] * x) * x2) * (x2 * x2);
-}
-
 double plain_8x8(const double* c, double x, double y) {
     std::array<double, small_size> sums{};
     for (int j = small_size; j-- > 0;) {
@@ -43,7 +36,7 @@ double plain_8x8(const double* c, double x, double y) {
             sums[i] = sums[i] * y + c[static_cast<std::size_t>(j) * small_size + i];
         }
     }
-    return in_powers(sums.data(), x);
+    return polynomial_8(sums.data(), x);
 }
 
 #ifdef BATTEN_HAS_X86_LEVELS
@@ -59,7 +52,7 @@ __attribute__((target("avx2,fma"))) double avx2_8x8(const double* c, double x, d
     double sums[small_size];
     _mm256_storeu_pd(sums, low);
     _mm256_storeu_pd(sums + 4, high);
-    return in_powers(sums, x);
+    return polynomial_8(sums, x);
 }
 
 template <int Size>

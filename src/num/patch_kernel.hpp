@@ -12,6 +12,13 @@ namespace batten::patches {
 /// coefficient.
 Outputs polynomial(const Shape& shape, const double* coefficients, double u, double v);
 
+/// The sum of c[i] x^i for i < 8: few steps that wait for one another.
+inline double polynomial_8(const double* c, double x) {
+    const double x2 = x * x;
+    return ((c[0] + c[1] * x) + (c[2] + c[3] * x) * x2) +
+           ((c[4] + c[5] * x) + (c[6] + c[7] * x) * x2) * (x2 * x2);
+}
+
 /// The sum of c[j][i] x^i y^j for i, j < 8, at the best level.
 double polynomial_8x8(const double* coefficients, double x, double y);
 

@@ -6,6 +6,7 @@
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #define BATTEN_HAS_X86_LEVELS
+#include <immintrin.h>
 #endif
 #ifdef __GNUC__
 #define BATTEN_INLINE [[gnu::always_inline]] inline
@@ -62,6 +63,13 @@ BATTEN_INLINE std::uint32_t piece_of(const Indexed& curve, double t) {
 
 BATTEN_INLINE Stretch stretch_of(const Indexed& curve, std::size_t piece) {
     return {curve.breaks[piece], curve.breaks[piece + 1]};
+}
+
+/// Whether the first parameters look like a run. t[0] itself lies outside at the end of the domain
+/// and beyond.
+BATTEN_INLINE bool starts_run(Stretch stretch, std::span<const double> t) {
+    return t.size() >= shortest_run && stretch.holds(t[0]) && stretch.holds(t[shortest_run / 2]) &&
+           stretch.holds(t[shortest_run - 1]);
 }
 
 /// The piece of t: first the one after `piece` is tried, if there is one.
@@ -125,12 +133,8 @@ struct Kernel {
         while (!t.empty()) {
             piece = next_piece(curve, piece, t[0]);
             const Stretch stretch = stretch_of(curve, piece);
-            // t[0] itself lies outside at the end of the domain and beyond.
-            const bool is_run = t.size() >= shortest_run && stretch.holds(t[0]) &&
-                                stretch.holds(t[shortest_run / 2]) &&
-                                stretch.holds(t[shortest_run - 1]);
             std::size_t count;
-            if (is_run) {
+            if (starts_run(stretch, t)) {
                 count = count_in(stretch, t.first(std::min(t.size(), longest_run)));
                 // Whole vectors: what is too much is written again.
                 run(piece, t.first(std::min((count + 7) / 8 * 8, t.size())), out);
@@ -169,8 +173,86 @@ __attribute__((target("avx2"))) void evaluate_avx2(const Indexed& curve,
     evaluate_any(curve, t, order, out);
 }
 
+/// A piece of one coordinate in each lane.
+struct Avx512Piece {
+    __m512d lo, hi, c[4];
+
+    __attribute__((target("avx512f"), always_inline)) inline static Avx512Piece of(
+        const Indexed& curve, std::size_t piece) {
+        const double* const c = curve.coefficients + 4 * piece;
+        return {_mm512_set1_pd(curve.breaks[piece]),
+                _mm512_set1_pd(curve.breaks[piece + 1]),
+                {_mm512_set1_pd(c[0]), _mm512_set1_pd(c[1]), _mm512_set1_pd(c[2]),
+                 _mm512_set1_pd(c[3])}};
+    }
+    __attribute__((target("avx512f"), always_inline)) inline __mmask8 holds(__m512d t) const {
+        return _mm512_mask_cmp_pd_mask(_mm512_cmp_pd_mask(lo, t, _CMP_LE_OQ), t, hi, _CMP_LT_OQ);
+    }
+    __attribute__((target("avx512f"), always_inline)) inline __m512d at(__m512d t) const {
+        const __m512d u = _mm512_sub_pd(t, lo);
+        __m512d sum = c[3];  // products are not fused: the bits of all levels
+        for (int k = 3; k-- > 0;) sum = _mm512_add_pd(c[k], _mm512_mul_pd(u, sum));
+        return sum;
+    }
+    /// This one, and `other` in the lanes of the mask.
+    __attribute__((target("avx512f"), always_inline)) inline Avx512Piece with(
+        const Avx512Piece& other, __mmask8 lanes) const {
+        Avx512Piece both = *this;
+        both.lo = _mm512_mask_mov_pd(lo, lanes, other.lo);
+        for (int k = 0; k < 4; ++k) both.c[k] = _mm512_mask_mov_pd(c[k], lanes, other.c[k]);
+        return both;
+    }
+};
+
+/// Values of one coordinate, eight at a time as long as they lie on a piece or on it and the next:
+/// one wrong guess of a branch a piece. Returns how many, and the piece of the last of them.
+struct Avx512Way {
+    std::size_t count, piece;
+};
+__attribute__((target("avx512f"))) Avx512Way walk_avx512(const Indexed& curve, std::size_t piece,
+                                                         std::span<const double> t, double* out) {
+    constexpr std::size_t lanes = 8;
+    Avx512Piece now = Avx512Piece::of(curve, piece);
+    std::size_t i = 0;
+    for (; i + lanes <= t.size(); i += lanes) {
+        const __m512d at = _mm512_loadu_pd(t.data() + i);
+        const unsigned on_it = now.holds(at);
+        if (on_it == 0xff) {
+            _mm512_storeu_pd(out + i, now.at(at));
+            continue;
+        }
+        if (piece + 2 >= curve.breaks.size()) break;
+        const Avx512Piece next = Avx512Piece::of(curve, piece + 1);
+        const __mmask8 on_next = next.holds(at);
+        if ((on_it | on_next) != 0xff) break;
+        _mm512_storeu_pd(out + i, now.with(next, on_next).at(at));
+        now = next;
+        ++piece;
+    }
+    return {i, piece};
+}
+
+__attribute__((target("avx512f"))) void values_avx512(const Indexed& curve,
+                                                      std::span<const double> t, double* out) {
+    const Kernel<0, 1> kernel{curve};
+    std::size_t piece = curve.breaks.size();
+    while (!t.empty()) {
+        piece = next_piece(curve, piece, t[0]);
+        const Avx512Way way = walk_avx512(curve, piece, t, out);
+        piece = way.piece;
+        std::size_t count = way.count;
+        if (count == 0) {
+            count = std::min(t.size(), batch_size);
+            kernel.scattered(t.first(count), out);
+        }
+        t = t.subspan(count);
+        out += count;
+    }
+}
+
 __attribute__((target("avx512f"))) void evaluate_avx512(
     const Indexed& curve, std::span<const double> t, int order, double* out) {
+    if (order == 0 && curve.dim == 1) return values_avx512(curve, t, out);
     evaluate_any(curve, t, order, out);
 }
 #endif

@@ -5,10 +5,13 @@
 #include <cstdint>
 #include <cstring>
 #include <string>
+#include <memory>
 #include <utility>
 
+#include "base/memory.hpp"
 #include "batten/base/error.hpp"
 #include "shape/breaks.hpp"
+#include "shape/cubic_room.hpp"
 
 namespace batten {
 namespace {
@@ -32,11 +35,19 @@ bool all_finite(std::span<const double> numbers) {
     return carried[0] >> 63 == 0;
 }
 
+struct Numbers {
+    std::vector<double> block, breaks;
+};
+
 }  // namespace
 
 PiecewiseCubic::PiecewiseCubic(std::vector<double> block, int dim, std::vector<double> breaks,
                                bool closed)
-    : block_(std::move(block)), breaks_(std::move(breaks)), dim_(dim), closed_(closed) {
+    : dim_(dim), closed_(closed) {
+    const auto owned = std::make_shared<const Numbers>(Numbers{std::move(block), std::move(breaks)});
+    block_ = owned->block;
+    breaks_ = owned->breaks;
+    owner_ = owned;
     knots::require_breaks(breaks_);
     if (dim < 1 || block_.size() != 4 * static_cast<std::size_t>(dim) * breaks_.size()) {
         throw Error("curve.coefficients", "coefficients", std::to_string(block_.size()),
@@ -48,6 +59,13 @@ PiecewiseCubic::PiecewiseCubic(std::vector<double> block, int dim, std::vector<d
     const std::size_t piece = static_cast<std::size_t>(first - block_.begin()) % breaks_.size();
     throw Error("number.overflow", "coefficient of piece " + std::to_string(piece),
                 "beyond a double", "scale the points down or spread them out");
+}
+
+bool PiecewiseCubic::operator==(const PiecewiseCubic& other) const {
+    return dim_ == other.dim_ && closed_ == other.closed_ &&
+           std::equal(breaks_.begin(), breaks_.end(), other.breaks_.begin(),
+                      other.breaks_.end()) &&
+           std::equal(block_.begin(), block_.end(), other.block_.begin(), other.block_.end());
 }
 
 PiecewiseCubic PiecewiseCubic::power(std::vector<double> block, int dim,
@@ -124,3 +142,12 @@ void PiecewiseCubic::jets_on(std::size_t piece, std::span<const double> t, int o
 }
 
 }  // namespace batten
+
+namespace batten::cubics {
+
+Room::Room(std::size_t joints, int dim)
+    : joints_(joints),
+      dim_(dim),
+      numbers_(unwritten_numbers((4 * static_cast<std::size_t>(dim) + 1) * joints)) {}
+
+}  // namespace batten::cubics

@@ -6,10 +6,13 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <memory>
 #include <new>
+#include <optional>
 #include <thread>
 #include <vector>
 
+#include "batten/api/operation.hpp"
 #include "batten/make/interpolate.hpp"
 #include "batten/make/natural_spline.hpp"
 #include "batten/make/pseudo_spline.hpp"
@@ -20,12 +23,16 @@
 namespace {
 
 thread_local long allocations = 0;
+/// Of one size, in bytes.
+thread_local std::size_t watched_size = 0;
+thread_local long watched = 0;
 
 }  // namespace
 
 // Counts the allocations of this program's threads.
 void* operator new(std::size_t size) {
     ++allocations;
+    watched += size == watched_size ? 1 : 0;
     if (void* memory = std::malloc(size)) return memory;
     throw std::bad_alloc();
 }
@@ -167,6 +174,32 @@ TEST(NaturalSpline, AllocatesNothing) {
     const long before = allocations;
     natural_spline(points, breaks, block);
     EXPECT_EQ(allocations, before);
+}
+
+/// How many blocks of `size` bytes `work` allocates.
+template <class Work>
+long blocks_of(std::size_t size, Work work) {
+    watched_size = size;
+    watched = 0;
+    work();
+    watched_size = 0;
+    return watched;
+}
+
+TEST(Operations, HoldTheOwnerOfPointsAndMakeNoCopyOfThem) {
+    const auto points = std::make_shared<const Points>(gentle_way(2000, 3));
+    const std::size_t bytes = points->coordinates().size_bytes();
+    const Operation& operation = *find_operation("interpolate");
+    std::vector<Input> inputs(1);
+    inputs[0] = {"points", PointsInput{{}, {}, SharedPoints(*points, points), {}}};
+    std::optional<Outcome> outcome;
+    const long by_operation =
+        blocks_of(bytes, [&] { outcome = operation.run(inputs, {}, Progress()); });
+    EXPECT_EQ(by_operation, blocks_of(bytes, [&] { interpolate(*points, {}); }));
+    inputs.clear();
+    EXPECT_EQ(points.use_count(), 2);
+    outcome.reset();
+    EXPECT_EQ(points.use_count(), 1);
 }
 
 TEST(PseudoSpline, GivesTheSameBitsFromManyThreads) {

@@ -52,6 +52,23 @@ TEST(Progress, StopsTheWorkAsSoonAsItIsAskedTo) {
     EXPECT_LT(calls, 20);
 }
 
+// Told span by span, it can stop the work within microseconds, however many spans there are.
+TEST(Progress, OfTheGlobalSplineIsToldSpanBySpanOfEveryStep) {
+    const std::size_t n = 40;
+    InterpolateOptions options;
+    options.method = Method::pseudo_spline_global;
+    std::size_t calls = 0;
+    options.progress = Progress([&](double) { return ++calls > 0; });
+    interpolate(wave(n), options);
+    EXPECT_GT(calls, 8 * n);
+    for (const std::size_t last : {calls / 10, calls / 3, calls / 2, calls - 3}) {
+        std::size_t told = 0;
+        options.progress = Progress([&](double) { return ++told < last; });
+        EXPECT_THROW(interpolate(wave(n), options), Cancelled);
+        EXPECT_EQ(told, last);
+    }
+}
+
 TEST(Progress, ChangesNoResult) {
     InterpolateOptions watched;
     watched.progress = Progress([](double) { return true; });

@@ -7,10 +7,10 @@
 
 #include "batten/base/interval.hpp"
 #include "batten/base/text.hpp"
+#include "chebyshev_fit.hpp"
 #include "make/pseudo/free_end.hpp"
 #include "make/pseudo/tables/tabulated.hpp"
-#include "make/pseudo/three_point.hpp"
-#include "patch_builder.hpp"
+#include "share_builder.hpp"
 
 using namespace batten;
 using namespace batten::pseudo;
@@ -18,33 +18,6 @@ using namespace batten::pseudo;
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-template <std::size_t N>
-std::array<double, N> chebyshev_coefficients(const std::array<double, N>& values) {
-    std::array<double, N> c{};
-    for (std::size_t k = 0; k < N; ++k) {
-        for (std::size_t i = 0; i < N; ++i) {
-            c[k] += values[i] * std::cos(pi * static_cast<double>(k * (2 * i + 1)) / (2.0 * N)) *
-                    (k == 0 ? 1.0 : 2.0) / N;
-        }
-    }
-    return c;
-}
-
-template <std::size_t N>
-double node(std::size_t i) {
-    return std::cos(pi * static_cast<double>(2 * i + 1) / (2.0 * N));
-}
-
-template <std::size_t N>
-std::array<double, N> powers(const std::array<double, N>& chebyshev) {
-    const auto rows = patches::chebyshev_powers(static_cast<int>(N));
-    std::array<double, N> c{};
-    for (std::size_t k = 0; k < N; ++k) {
-        for (std::size_t i = 0; i <= k; ++i) c[i] += chebyshev[k] * rows[k][i];
-    }
-    return c;
-}
 
 double value(const std::array<double, end_size>& c, double x) {
     double sum = c[end_size - 1];
@@ -88,8 +61,8 @@ void add_pieces(Interval part, int level, std::vector<EndPiece>& pieces) {
         energy[i] = end.pseudo_energy / (theta * theta);
         ratio[i] = end.segment.theta1 / theta;
     }
-    const EndPiece piece{part.lo, part.hi, powers(chebyshev_coefficients(energy)),
-                         powers(chebyshev_coefficients(ratio))};
+    const EndPiece piece{part.lo, part.hi, fitted(energy),
+                         fitted(ratio)};
     bool is_good = true;
     for (const double x : {-0.997, -0.9, -0.43, 0.02, 0.51, 0.93, 0.997}) {
         const double theta = at(x);
@@ -103,48 +76,32 @@ void add_pieces(Interval part, int level, std::vector<EndPiece>& pieces) {
     add_pieces({part.middle(), part.hi}, level + 1, pieces);
 }
 
-Share share_for(Interval turns, Interval weights) {
-    Share values{}, c{};  // values[i][j] for turn i, weight j
-    for (std::size_t i = 0; i < share_size; ++i) {
-        const double turn = turns.middle() + 0.5 * turns.length() * node<share_size>(i);
-        for (std::size_t j = 0; j < share_size; ++j) {
-            const double weight = weights.middle() + 0.5 * weights.length() * node<share_size>(j);
-            const double u = three_point_angle({turn, 1, weight}, 1).angle;
-            values[i][j] = u * (1 + weight) / (weight * turn);
-        }
-        values[i] = powers(chebyshev_coefficients(values[i]));
-    }
-    for (std::size_t j = 0; j < share_size; ++j) {
-        for (std::size_t i = 0; i < share_size; ++i) c[j][i] = values[i][j];
-        c[j] = powers(chebyshev_coefficients(c[j]));
-    }
-    return c;
-}
-
-std::vector<Share> shares(double first_kink) {
-    std::vector<Share> result;
-    const auto part = [](Interval whole, std::size_t k, std::size_t count) {
-        const double step = whole.length() / static_cast<double>(count);
-        const double lo = whole.lo + static_cast<double>(k) * step;
-        return Interval{lo, lo + step};
-    };
-    for (std::size_t i = 0; i < smooth_parts; ++i) {
-        for (std::size_t j = 0; j < weight_parts; ++j) {
-            result.push_back(share_for(part({0, first_kink}, i, smooth_parts),
-                                       part({0, 1}, j, weight_parts)));
-        }
-    }
-    for (std::size_t i = 0; i < rough_parts; ++i) {
-        result.push_back(share_for(part({first_kink, pi}, i, rough_parts), {0, 1}));
-    }
-    return result;
-}
-
 template <class Numbers>
 std::string listed(const Numbers& numbers) {
     std::string text;
     for (const double x : numbers) text += (text.empty() ? "" : ", ") + format_number(x);
     return "{" + text + "}";
+}
+
+std::string shares_text(const ShareTables& tables) {
+    std::string text = "const std::array<TurnPart, " + std::to_string(tables.turns.size()) +
+                       "> turns{{\n";
+    for (const TurnPart& t : tables.turns) {
+        text += "{" + format_number(t.lo) + ", " + format_number(t.hi) + ", {{";
+        for (const auto& tie : t.ties) text += listed(tie) + ", ";
+        text += "}}},\n";
+    }
+    text += "}};\n\n";
+    for (std::size_t band = 0; band < bands; ++band) {
+        text += "constexpr int cuts" + std::to_string(band) + "[]" + listed(tables.cuts[band]) + ";\n";
+    }
+    text += "\nconst std::array<Share, " + std::to_string(tables.shares.size()) + "> shares{{\n";
+    for (const Share& share : tables.shares) {
+        text += "{{";
+        for (const auto& row : share) text += "{" + listed(row) + "}, ";
+        text += "}},\n";
+    }
+    return text + "}};\n";
 }
 
 }  // namespace
@@ -165,11 +122,6 @@ std::string end_tables() {
         text += "{" + format_number(p.lo) + ", " + format_number(p.hi) + ", {" + listed(p.energy) +
                 "}, {" + listed(p.ratio) + "}},\n";
     }
-    text += "}};\n\nconst std::array<Share, smooth_parts * weight_parts + rough_parts> shares{{\n";
-    for (const Share& share : shares(kinks.front())) {
-        text += "{{";
-        for (const auto& row : share) text += "{" + listed(row) + "}, ";
-        text += "}},\n";
-    }
-    return text + "}};\n";
+    text += "}};\n\n";
+    return text + shares_text(share_tables(kinks, pieces));
 }

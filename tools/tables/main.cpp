@@ -65,7 +65,11 @@ int main(int count, char** words) {
         "namespace {\n" + end_tables() + "}  // namespace\n\n"
         "std::span<const double> end_kinks() { return kinks; }\n"
         "std::span<const EndPiece> end_pieces() { return pieces; }\n"
-        "std::span<const Share> three_point_shares() { return shares; }\n");
+        "std::span<const TurnPart> turn_parts() { return turns; }\n"
+        "std::span<const Share> three_point_shares() { return shares; }\n\n"
+        "std::span<const int> band_cuts(std::size_t band) {\n"
+        "    switch (band) {\n        case 0: return cuts0;\n        case 1: return cuts1;\n"
+        "        case 2: return cuts2;\n    }\n    return cuts3;\n}\n");
     const bool is_written = write(folder + "/end_table.cpp", ends) &&
                             write(folder + "/segment_table.cpp", segment_tables());
     return is_written ? 0 : 1;

@@ -93,7 +93,7 @@ inline bool SegmentProblem::agrees(double x, double y, const patches::Outputs& o
     const bool is_short_arc = a.theta0 < 3 * degree && std::fabs(a.theta0 + a.theta1) < 3 * degree;
     if (is_short_arc) return r_error < 0.05 && length_error < 1e-10 && energy_error < 2e-13;
     const bool is_told_apart = energy_error > 4e-15 || length_error > 1e-11;
-    return chart_ == Chart::strip && a.theta0 < 0.35 && !is_told_apart && r_error < 1e-3;
+    return chart_ == Chart::strip && a.theta0 < 0.2 && !is_told_apart && r_error < 1e-3;
 }
 
 inline patches::Outputs SegmentProblem::units(const patches::Rectangle& r,

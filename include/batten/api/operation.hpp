@@ -12,6 +12,7 @@
 #include "batten/base/fields.hpp"
 #include "batten/base/points.hpp"
 #include "batten/base/progress.hpp"
+#include "batten/base/shared.hpp"
 #include "batten/base/value.hpp"
 #include "batten/io/draw/drawing.hpp"
 #include "batten/io/files.hpp"
@@ -48,11 +49,13 @@ struct Setting {
 };
 
 /// A table, and the columns of it that are coordinates (none for operations that take a table); or
-/// points in the caller's memory, which must stay there until the operation has run.
+/// numbers in somebody's memory in place of the table's cells, which are not copied: the outcome
+/// keeps their owner. A table without rows then has the names and the number of columns.
 struct PointsInput {
     Table table;
     std::vector<int> columns;
-    std::optional<PointsView> borrowed = {};  ///< in place of the table's cells
+    std::optional<SharedPoints> borrowed = {};     ///< rows
+    std::vector<SharedNumbers> shared_columns = {};  ///< or one for each column of the table
 };
 
 /// What an operation works on. A grid is a table, rows or a picture: the bytes of a file, since the

@@ -1,12 +1,18 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "batten/base/points.hpp"
 
 namespace batten {
+
+namespace cubics {
+class Room;
+}
 
 /// Cubic pieces in any dimension, coefficients in structure-of-arrays form.
 ///
@@ -15,7 +21,7 @@ namespace batten {
 /// c0 has one entry more than there are pieces: the last point. At the end of a piece the value is
 /// the next piece's c0, so joints meet bit for bit and points given are points met.
 ///
-/// Immutable; an invalid one cannot exist.
+/// Immutable; an invalid one cannot exist. Copies share the numbers.
 class PiecewiseCubic {
 public:
     /// From points and the one-sided derivatives at both ends of each piece.
@@ -44,13 +50,18 @@ public:
     void jets_on(std::size_t piece, std::span<const double> t, int order,
                  std::span<double> out) const;
 
-    bool operator==(const PiecewiseCubic&) const = default;
+    /// The same numbers.
+    bool operator==(const PiecewiseCubic& other) const;
 
 private:
+    friend class cubics::Room;
     PiecewiseCubic(std::vector<double> block, int dim, std::vector<double> breaks, bool closed);
+    PiecewiseCubic(std::shared_ptr<const void> owner, std::span<const double> breaks,
+                   std::span<const double> block, int dim, bool closed)
+        : owner_(std::move(owner)), breaks_(breaks), block_(block), dim_(dim), closed_(closed) {}
 
-    std::vector<double> block_;
-    std::vector<double> breaks_;
+    std::shared_ptr<const void> owner_;
+    std::span<const double> breaks_, block_;
     int dim_;
     bool closed_;
 };

@@ -11,6 +11,7 @@
 #include "make/interpolate/function.hpp"
 #include "make/interpolate/hermite.hpp"
 #include "make/interpolate/log_aesthetic.hpp"
+#include "make/interpolate/natural_pass.hpp"
 #include "make/interpolate/pseudo_spline.hpp"
 #include "make/interpolate/spline.hpp"
 #include "make/interpolate/windows_and_arcs.hpp"
@@ -62,6 +63,9 @@ PiecewiseCubic spline_as(const Outline& outline, const InterpolateOptions& optio
 }
 
 PiecewiseCubic natural_spline(const Outline& outline, Parameter parameter) {
+    if (parameter == Parameter::chord && !outline.closed) {
+        if (auto curve = plain_natural_curve(outline.points)) return *std::move(curve);
+    }
     return spline_with(outline, parameters_by(parameter, outline.chords), Ends::natural);
 }
 

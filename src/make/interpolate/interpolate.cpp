@@ -4,6 +4,7 @@
 
 #include "make/interpolate/build.hpp"
 #include "make/interpolate/log_aesthetic.hpp"
+#include "make/interpolate/natural_pass.hpp"
 #include "make/interpolate/report.hpp"
 
 namespace batten {
@@ -42,8 +43,14 @@ Interpolation interpolate(PointsView points, const InterpolateOptions& options) 
 }
 
 Curve curve_through(PointsView points, const InterpolateOptions& options) {
-    return part_of(interpolation::built(interpolation::checked(points, options), options).curve,
-                   options);
+    interpolation::Request request = interpolation::checked_but_for_chords(points, options);
+    if (options.method == Method::natural_chord) {
+        if (auto plain = interpolation::plain_natural_curve(request.outline.points)) {
+            return part_of(*std::move(plain), options);
+        }
+    }
+    request = interpolation::with_chords(std::move(request), options);
+    return part_of(interpolation::built(request, options).curve, options);
 }
 
 }  // namespace batten

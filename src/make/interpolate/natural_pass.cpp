@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "batten/base/error.hpp"
 #include "make/interpolate/chords.hpp"
+#include "make/interpolate/natural_pass.hpp"
 #include "make/interpolate/spline.hpp"
 #include "num/banded.hpp"
+#include "shape/cubic_room.hpp"
 
 namespace batten::interpolation {
 namespace {
@@ -236,6 +239,15 @@ void NaturalPass::finish_spans(std::size_t from, std::size_t to, const Window& w
 }
 
 }  // namespace
+
+std::optional<PiecewiseCubic> plain_natural_curve(PointsView points) {
+    if (points.dim() != 2) return std::nullopt;
+    const cubics::Room room(points.size(), 2);
+    if (!plain_breaks(points, room.breaks())) return std::nullopt;
+    NaturalPass(points, room.breaks(), room.block()).run();
+    return room.curve(false);
+}
+
 }  // namespace batten::interpolation
 
 namespace batten {

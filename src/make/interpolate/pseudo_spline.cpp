@@ -11,6 +11,7 @@
 #include "make/pseudo/global/angles.hpp"
 #include "make/pseudo/local_angles.hpp"
 #include "make/pseudo/tables/segments.hpp"
+#include "num/plane_angles.hpp"
 
 namespace batten::interpolation {
 namespace {
@@ -34,7 +35,8 @@ Points of_middling_size(const Outline& outline) {
 
 /// `factor` x the chord turned left by `angle`; the chord itself where these are 1 and 0.
 void set_turned(const Vector& chord, double factor, double angle, std::span<double> out) {
-    const double along = factor * std::cos(angle), aside = factor * std::sin(angle);
+    const num::Direction turned = num::direction_of(angle);
+    const double along = factor * turned.cosine, aside = factor * turned.sine;
     out[0] = along * chord[0] - aside * chord[1];
     out[1] = along * chord[1] + aside * chord[0];
 }

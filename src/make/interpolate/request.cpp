@@ -168,7 +168,7 @@ bool may_repeat(const InterpolateOptions& options, int dim) {
 
 }  // namespace
 
-Request checked(PointsView points, const InterpolateOptions& options) {
+Request checked_but_for_chords(PointsView points, const InterpolateOptions& options) {
     const Abilities able = abilities_of(options.method);
     require_dimension(points, able.least_dimension, able.most_dimension);
     require_abilities(options);
@@ -182,13 +182,22 @@ Request checked(PointsView points, const InterpolateOptions& options) {
     require_count(points, options.closed ? 3 : 2);
     request.outline.points = points;
     request.outline.closed = options.closed;
-    request.outline.chords = may_repeat(options, points.dim())
-                                 ? chords_with_repeats(points, options.closed)
-                                 : chords_of(points, options.closed);
     take_tangents(request.outline, options);
     take_corners(request.outline, options);
     require_part(options, points.size());
     return request;
+}
+
+Request with_chords(Request request, const InterpolateOptions& options) {
+    Outline& outline = request.outline;
+    outline.chords = may_repeat(options, outline.points.dim())
+                         ? chords_with_repeats(outline.points, outline.closed)
+                         : chords_of(outline.points, outline.closed);
+    return request;
+}
+
+Request checked(PointsView points, const InterpolateOptions& options) {
+    return with_chords(checked_but_for_chords(points, options), options);
 }
 
 }  // namespace batten::interpolation

@@ -18,4 +18,8 @@ struct Request {
 /// makima break. A closed curve's last point that repeats the first is left out, with a note.
 Request checked(PointsView points, const InterpolateOptions& options);
 
+/// The same in two steps: what the points themselves say comes with the chords.
+Request checked_but_for_chords(PointsView points, const InterpolateOptions& options);
+Request with_chords(Request request, const InterpolateOptions& options);
+
 }  // namespace batten::interpolation

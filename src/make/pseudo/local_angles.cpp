@@ -7,6 +7,7 @@
 #include "make/pseudo/segment/angles.hpp"
 #include "make/pseudo/tables/ends.hpp"
 #include "make/pseudo/three_point.hpp"
+#include "num/plane_angles.hpp"
 
 namespace batten::pseudo {
 namespace {
@@ -34,7 +35,7 @@ double turn_between(const Chord& a, const Chord& b) {
     const double lb = length_of(b);
     const Chord u{a.x / la, a.y / la};
     const Chord v{b.x / lb, b.y / lb};
-    return wrap(std::atan2(u.x * v.y - u.y * v.x, u.x * v.x + u.y * v.y));
+    return num::angle_of(u.x * v.x + u.y * v.y, u.x * v.y - u.y * v.x);
 }
 
 /// The tangents at one point, from the chord before and from the chord after it; nothing where an

@@ -24,14 +24,22 @@ constexpr double least_gain = 1e-12;
 /// From one valley to the next it is some 0.1 to 0.2 rad (Table 1, y = 3, 5).
 constexpr double kick = 0.3;
 
+double longest_of(const std::vector<SpanAngles>& spans) {
+    double longest = 0;
+    for (const SpanAngles& span : spans) longest = std::fmax(longest, span.length);
+    return longest;
+}
+
 /// The local result's spans on their least minima, weighed by the longest chord's measure, so that
 /// points x 2^k give the same bits.
-std::vector<WeighedSpan> weighed(const std::vector<SpanAngles>& spans, double longest,
-                                 double exponent) {
+std::vector<WeighedSpan> weighed(const std::vector<SpanAngles>& spans, double exponent,
+                                 const Progress& progress) {
+    const double longest = longest_of(spans);
     std::vector<WeighedSpan> result;
     for (const SpanAngles& span : spans) {
         result.push_back({relative_weight(span.length / longest, exponent),
                           expand_minimum(least_minimum(span.theta0, span.theta1))});
+        progress.at(result.size(), spans.size());
     }
     return result;
 }
@@ -56,7 +64,7 @@ private:
         std::vector<WeighedSpan> spans;
     };
 
-    void settle();
+    void settle(const Progress& alive);
     bool try_all(std::size_t span);
     Window around(std::size_t span) const;
     bool keep_if_lower(const Window& window, const std::vector<WeighedSpan>& changed);
@@ -68,11 +76,11 @@ private:
     int steps_ = 0;
 };
 
-void Search::settle() {
+void Search::settle(const Progress& alive) {
     GlobalDescent descent(std::move(spans_), unknowns_);
     do {
-        steps_ += descent.settle(most_steps - steps_);
-    } while (is_converged() && descent.pass_to_least());
+        steps_ += descent.settle(most_steps - steps_, alive);
+    } while (is_converged() && descent.pass_to_least(alive));
     spans_ = descent.spans();
 }
 
@@ -135,7 +143,7 @@ bool Search::try_all(std::size_t span) {
 }
 
 void Search::run(const Progress& progress) {
-    settle();
+    settle(progress.stage(0, 0));
     const std::size_t n = spans_.size();
     std::vector<bool> is_due(n, true);
     bool has_changed = true;
@@ -152,14 +160,8 @@ void Search::run(const Progress& progress) {
             for (std::size_t j = first; j <= i + n + window_reach; ++j) is_due_again[j % n] = true;
         }
         is_due = std::move(is_due_again);
-        if (has_changed) settle();
+        if (has_changed) settle(sweep.stage(1, 1));
     }
-}
-
-double longest_of(const std::vector<SpanAngles>& spans) {
-    double longest = 0;
-    for (const SpanAngles& span : spans) longest = std::fmax(longest, span.length);
-    return longest;
 }
 
 }  // namespace
@@ -167,11 +169,10 @@ double longest_of(const std::vector<SpanAngles>& spans) {
 GlobalSpline global_angles(PointsView points, const AngleRules& rules) {
     const Unknowns unknowns = number_unknowns(points.size(), rules);
     AngleRules first = rules;
-    first.progress = rules.progress.stage(0, 0.1);
+    first.progress = rules.progress.stage(0, 0.05);
     const std::vector<SpanAngles> local = local_angles(points, first);
-    const double longest = longest_of(local);
-    const double unit = std::pow(longest, rules.weight_exponent);
-    Search search(weighed(local, longest, rules.weight_exponent), unknowns);
+    const double unit = std::pow(longest_of(local), rules.weight_exponent);
+    Search search(weighed(local, rules.weight_exponent, rules.progress.stage(0.05, 0.1)), unknowns);
     search.run(rules.progress.stage(0.1, 1));
 
     const GlobalDescent end = search.end();

@@ -72,9 +72,11 @@ void GlobalDescent::sum_up() {
     }
 }
 
-GlobalDescent GlobalDescent::moved_by(const std::vector<double>& step) const {
+GlobalDescent GlobalDescent::moved_by(const std::vector<double>& step,
+                                      const Progress& alive) const {
     GlobalDescent moved = *this;
     for (std::size_t i = 0; i < spans_.size(); ++i) {
+        alive.at(1, 1);
         const SpanUnknowns ends = unknowns_.of_span[i];
         if (ends.start == fixed && ends.end == fixed) continue;
         PseudoSegment segment = spans_[i].energy.minimum.segment;
@@ -105,7 +107,7 @@ double GlobalDescent::promised_by(const std::vector<double>& step) const {
     return decrease;
 }
 
-int GlobalDescent::settle(int most_steps) {
+int GlobalDescent::settle(int most_steps, const Progress& alive) {
     constexpr double noise = 1e-13;
     constexpr double least_turn = 2e-16;  // below the rounding error of an angle
     double radius = 0.25;
@@ -117,7 +119,7 @@ int GlobalDescent::settle(int most_steps) {
         const double promised = promised_by(step);
         const bool is_final = promised <= noise * energy_;
         if (size < least_turn || (is_final && !(size < 0.5 * size_before))) return k;
-        GlobalDescent fresh = moved_by(step);
+        GlobalDescent fresh = moved_by(step, alive);
         if (is_final) {
             size_before = size;
         } else {
@@ -131,9 +133,10 @@ int GlobalDescent::settle(int most_steps) {
     return most_steps;
 }
 
-bool GlobalDescent::pass_to_least() {
+bool GlobalDescent::pass_to_least(const Progress& alive) {
     bool has_passed = false;
     for (WeighedSpan& span : spans_) {
+        alive.at(1, 1);
         const Minimum& now = span.energy.minimum;
         const Minimum least = least_minimum(now.segment.theta0, now.segment.theta1);
         if (!(least.pseudo_energy < now.pseudo_energy * (1 - 1e-12))) continue;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "batten/base/progress.hpp"
 #include "make/pseudo/global/chain.hpp"
 #include "make/pseudo/global/unknowns.hpp"
 #include "make/pseudo/segment/descent.hpp"
@@ -31,11 +32,12 @@ public:
     GlobalDescent(std::vector<WeighedSpan> spans, Unknowns unknowns);
 
     /// Newton's method in a trust region, every span staying on the minimum it can follow. Returns
-    /// the steps made; converged if they are fewer than `most_steps`.
+    /// the steps made; converged if they are fewer than `most_steps`. `alive` is told 1 of 1 time
+    /// and again: nobody knows how many steps there will be.
     /// Cost: linear in the spans, about 10 microseconds a span and step.
-    int settle(int most_steps);
+    int settle(int most_steps, const Progress& alive = {});
     /// Passes the spans that have a lower minimum at their angles to it. True if there was one.
-    bool pass_to_least();
+    bool pass_to_least(const Progress& alive);
 
     const std::vector<WeighedSpan>& spans() const { return spans_; }
     double energy() const { return energy_; }
@@ -45,7 +47,7 @@ private:
     void sum_up();
     std::vector<double> restrained_step(double radius) const;
     double promised_by(const std::vector<double>& step) const;
-    GlobalDescent moved_by(const std::vector<double>& step) const;
+    GlobalDescent moved_by(const std::vector<double>& step, const Progress& alive) const;
 
     std::vector<WeighedSpan> spans_;
     Unknowns unknowns_;
