@@ -39,6 +39,7 @@ papers: ## make the papers' figures and tables again, into papers/
 	@build/release/papers/papers_nakajima papers/nakajima
 	@build/release/papers/papers_inoue_shibata_tables
 	@build/release/papers/papers_miura_yoshida_saito papers/miura-yoshida-saito
+	@build/release/papers/papers_miura_yoshida_saito_compared papers/miura-yoshida-saito
 
 python: ## build the Python module and pack it as a wheel, into build/release/wheel
 	@./setup.sh core test python

@@ -62,4 +62,25 @@ run batten contour $out/dome.json --levels 0.835270211 -o $out/dome-level.json \
 run batten measure $out/dome-level.json -o $out/dome-level-measures.json \
     --draw $out/dome-level-curvature.svg
 
+data=../shared/data
+if [ -r $data/car-key-line-1.txt ]; then
+    say "7. A car's character line as measured, 808 points, seen from the side: fair within 0.5 mm."
+    awk '{ print $2 "," $3 }' $data/car-key-line-1.txt > $out/key-line-points.csv
+    key_line="$out/key-line-points.csv --sigma 0.1 --tolerance 0.5"
+    run batten fair $key_line -o $out/key-line.csv --draw $out/key-line.svg
+    run batten fair $key_line --as arcs -o $out/key-line.json --quiet
+    run batten compare $out/key-line.json --to $out/key-line-points.csv --tolerance 0.55 \
+        -o $out/key-line-compared.json
+    run batten sample $out/key-line.json --count 100 -o $out/key-line-samples.csv \
+        --draw $out/key-line-samples.svg
+    run batten arcs $out/key-line.json --tolerance 0.05 -o $out/key-line.dxf \
+        --draw $out/key-line-arcs.svg
+    run batten arcs $out/key-line.json --tolerance 0.05 --feed 1200 -o $out/key-line.gcode --quiet
+    say "   A cat's outline and a race track, closed, with their curvature before and after."
+    run batten fair $data/cat.csv --closed --sigma 0.7 --tolerance 2 -o $out/cat.csv \
+        --draw $out/cat.svg
+    run batten fair $data/monza-track.csv --columns x_m,y_m --closed --sigma 0.25 --tolerance 1 \
+        -o $out/monza.csv --draw $out/monza.svg
+fi
+
 say "Pictures: $out/*.svg"

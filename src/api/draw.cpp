@@ -30,7 +30,9 @@ void visit_fields(Options& o, Visit&& visit) {
     visit("index", o.index, anything, "number the points, from 0");
     visit("samples", o.samples, between(2, 1e5),
           "so many marks on each curve, equally far apart along it");
-    visit("lcg", o.lcg, anything, "a panel more: the logarithmic curvature graph, its line and slope");
+    visit("lcg", o.lcg, anything,
+          "a panel more: the logarithmic curvature graph, its line and slope; in space that of "
+          "torsion as well");
     visit("title", o.title, anything, "a line of text above the picture");
     visit("width", o.width, between(240, 4000), "width of the picture in pixels");
 }
@@ -77,6 +79,9 @@ Outcome run(std::span<const Input> inputs, const DrawOptions& options) {
             add_curve(drawing, *curve, legend(input), options);
             if (options.curvature) plots.push_back(curvature_plot(*curve, legend(input)));
             if (options.lcg) plots.push_back(curvature_graph_plot(*curve, legend(input)));
+            if (options.lcg && curve->dim() == 3) {
+                plots.push_back(torsion_graph_plot(*curve, legend(input)));
+            }
             ++report.curves;
         }
     }

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "batten/io/table.hpp"
 #include "batten/make/fair.hpp"
 #include "fair_samples.hpp"
+#include "shared.hpp"
 
 namespace batten {
 namespace fair_law_test {
@@ -95,6 +97,24 @@ TEST(Fairing, MovesNoPointFurtherThanTheTolerance) {
             options.closed = true;
             EXPECT_LE(fair(noisy_ring(seed, 0.004), options).report.max_displacement,
                       tolerance * (1 + 1e-9));
+        }
+    }
+}
+
+/// A side line of a car, heights rounded to whole millimetres.
+TEST(Fairing, ComesToRestOnACarForEveryAlphaAndAlmostEverySigma) {
+    const Points points = read_points(testing::source_file("cases/points/car-side.csv"));
+    for (const double alpha : {-1.0, 0.0, 0.5, 1.0, 2.0}) {
+        for (const double sigma : {0.05, 0.1, 0.15, 0.29}) {
+            for (const FixEnds ends : {FixEnds::none, FixEnds::position, FixEnds::curvature}) {
+                FairOptions options;
+                options.alpha.value = alpha;
+                options.sigma = sigma;
+                options.tolerance = absolute(1);
+                options.fix_ends = ends;
+                EXPECT_EQ(fair(points, options).report.status, Status::met)
+                    << alpha << ' ' << sigma << ' ' << int(ends);
+            }
         }
     }
 }

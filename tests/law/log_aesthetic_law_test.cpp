@@ -5,6 +5,7 @@
 
 #include "batten/make/convert.hpp"
 #include "batten/make/log_aesthetic.hpp"
+#include "batten/measure/continuity.hpp"
 #include "batten/measure/length.hpp"
 #include "batten/shape/log_aesthetic_space.hpp"
 #include "random.hpp"
@@ -106,6 +107,25 @@ TEST(LogAestheticCurves, TurnIntoCubicsAndHaveTheirLength) {
         const Conversion made = convert(curve, options);
         EXPECT_EQ(made.report.status, Status::met);
         EXPECT_LT(made.report.max_error, 1e-8 * extent(curve));
+    }
+}
+
+TEST(LogAestheticCurves, TurnIntoFewerQuinticsThanCubics) {
+    testing::Random random(6);
+    for (int i = 0; i < 10; ++i) {
+        const Curve curve =
+            LogAestheticCurve(std::vector<double>{0, 0}, 0, any_segment(random));
+        ConvertOptions options;
+        options.tolerance = relative(1e-9);
+        options.as = Form::cubic;
+        const std::size_t cubics = convert(curve, options).report.pieces;
+        options.as = Form::quintic;
+        const Conversion made = convert(curve, options);
+        EXPECT_EQ(made.report.status, Status::met);
+        EXPECT_LT(made.report.max_error, 1e-9 * extent(curve));
+        EXPECT_LE(made.report.pieces, cubics);
+        EXPECT_EQ(made.curve.degree(), 5);
+        for (const Joint& joint : continuity(made.curve)) EXPECT_EQ(joint.continuity, Continuity::C2);
     }
 }
 

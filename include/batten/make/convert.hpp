@@ -7,6 +7,7 @@
 
 #include "batten/base/fields.hpp"
 #include "batten/base/tolerance.hpp"
+#include "batten/shape/bspline.hpp"
 #include "batten/shape/curve.hpp"
 #include "batten/shape/piecewise_cubic.hpp"
 
@@ -16,13 +17,15 @@ namespace batten {
 enum class Form {
     same,      ///< as it is
     cubic,     ///< cubic pieces; exact where the pieces are polynomials of degree 3 or less
+    quintic,   ///< pieces of degree 5 with the curve's second derivatives at their ends
     arcs,      ///< circular arcs and lines, few of them; plane curves only
     polyline,  ///< straight pieces
 };
 
-constexpr std::array<Named<Form>, 4> names_of(Form) {
+constexpr std::array<Named<Form>, 5> names_of(Form) {
     return {{{"same", Form::same},
              {"cubic", Form::cubic},
+             {"quintic", Form::quintic},
              {"arcs", Form::arcs},
              {"polyline", Form::polyline}}};
 }
@@ -75,6 +78,13 @@ Conversion convert(const Curve& curve, const ConvertOptions& options);
 /// `curve` as cubic pieces: exact (Taylor) where degree() <= 3, else Hermite pieces halved until
 /// they are within `tolerance` (data units). Cost: 5 evaluations a piece tried.
 PiecewiseCubic to_piecewise_cubic(const Curve& curve, double tolerance);
+
+/// `curve` as a B-spline of degree 5: exact (up to rounding) where degree() <= 5, else pieces that
+/// have its value and its first two derivatives at their ends, halved until they are within
+/// `tolerance` (data units). Twice continuously differentiable where the curve is, knots standing
+/// three times; five times where its first or second derivative jumps.
+/// Cost: 5 evaluations a piece tried. Source: blossoming [Ramshaw1989].
+BSplineCurve to_quintic(const Curve& curve, double tolerance);
 
 /// The vertices of a polyline within `tolerance` (data units) of `curve`, its joints among them.
 Points to_polyline(const Curve& curve, double tolerance);

@@ -11,13 +11,12 @@ namespace {
 /// Three decimals: more than a picture can show.
 std::string rounded(double x) { return format_number(std::round(x * 1000) / 1000); }
 
-}  // namespace
-
-Panel curvature_graph_plot(const Curve& curve, const std::string& name) {
-    const LogarithmicGraph graph = curvature_graph(curve);
+/// The graph of what `radius` names, with its line.
+Panel graph_panel(const LogarithmicGraph& graph, const std::string& radius,
+                  const std::string& name) {
     Panel panel;
     panel.kind = PanelKind::chart;
-    panel.x_label = "log radius";
+    panel.x_label = "log " + radius;
     panel.y_label = "log |radius · ds / d radius|";
     panel.add(PointsLayer{graph.points, name, Marker::closed, {}, PointLabels::none, Tone::blue});
     if (graph.line) {
@@ -34,6 +33,16 @@ Panel curvature_graph_plot(const Curve& curve, const std::string& name) {
         panel.caption = "slope " + rounded(slope) + " ± " + rounded(error);
     }
     return panel;
+}
+
+}  // namespace
+
+Panel curvature_graph_plot(const Curve& curve, const std::string& name) {
+    return graph_panel(curvature_graph(curve), "radius", name);
+}
+
+Panel torsion_graph_plot(const Curve& curve, const std::string& name) {
+    return graph_panel(torsion_graph(curve), "radius of torsion", name);
 }
 
 }  // namespace batten

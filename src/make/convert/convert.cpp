@@ -9,20 +9,15 @@
 #include "batten/shape/arc_chain.hpp"
 #include "batten/shape/bspline.hpp"
 #include "batten/shape/transform.hpp"
+#include "make/convert/halving.hpp"
 
 namespace batten {
 namespace {
 
-/// Pieces are halved at most this often: 2^-40 of a piece is below what a drawing or a machine
-/// can tell, and a curve that is still rough there is reported as not met.
-constexpr int deepest_halving = 40;
-constexpr int checks = 16;
+using conversion::distance;
+using conversion::halved;
 
-double distance(std::span<const double> a, std::span<const double> b) {
-    double sum_sq = 0;
-    for (std::size_t k = 0; k < a.size(); ++k) sum_sq += (a[k] - b[k]) * (a[k] - b[k]);
-    return std::sqrt(sum_sq);
-}
+constexpr int checks = 16;
 
 /// Distance of `p` from the segment a b.
 double segment_distance(std::span<const double> p, std::span<const double> a,
@@ -50,28 +45,6 @@ PiecewiseCubic hermite_piece(const Curve& curve, std::size_t piece, Interval par
     first.push_back(start[1]);
     last.push_back(end[1]);
     return PiecewiseCubic::hermite(ends, first, last, {part.lo, part.hi}, false);
-}
-
-/// Breaks at which halving may stop: all parts pass `fits`.
-template <class Fits>
-std::vector<double> halved(const Curve& curve, const Fits& fits) {
-    std::vector<double> breaks{curve.domain().lo};
-    for (std::size_t piece = 0; piece < curve.pieces(); ++piece) {
-        const Interval whole = curve.piece(piece);
-        const double shortest = std::ldexp(whole.length(), -deepest_halving);
-        std::vector<Interval> open{whole};
-        while (!open.empty()) {
-            const Interval part = open.back();
-            open.pop_back();
-            if (part.length() <= shortest || fits(piece, part)) {
-                breaks.push_back(part.hi);
-            } else {
-                open.push_back({part.middle(), part.hi});
-                open.push_back({part.lo, part.middle()});
-            }
-        }
-    }
-    return breaks;
 }
 
 /// The largest distance between two curves over the same domain, parameter by parameter.
@@ -184,6 +157,10 @@ Conversion convert(const Curve& original, const ConvertOptions& options) {
         const Curve cubic = to_piecewise_cubic(curve, tolerance);
         report.max_error = largest_distance(curve, cubic);
         curve = cubic;
+    } else if (options.as == Form::quintic) {
+        const Curve quintic = to_quintic(curve, tolerance);
+        report.max_error = largest_distance(curve, quintic);
+        curve = quintic;
     } else if (options.as == Form::arcs && !curve.shape<ArcChain>()) {
         ArcsOptions within;
         within.tolerance = absolute(tolerance);

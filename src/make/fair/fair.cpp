@@ -65,7 +65,7 @@ Made faired(const Request& request, double alpha, FairReport& report) {
     const PlaneGoal goal = goal_of(request);
     PlaneResult result = fair_plane(goal, {alpha, request.lambda});
     report.sweeps += result.steps;
-    report.lambda = result.lambda * std::pow(request.unit, 5);
+    report.lambda = in_data_units(result.lambda, request);
     report.status = result.converged ? Status::met : Status::not_converged;
     std::vector<std::size_t> ends = section_ends(result.track);
     return {std::move(result.track), std::move(ends)};

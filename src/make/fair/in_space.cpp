@@ -80,7 +80,7 @@ Fairing fair_in_space(PointsView points, const FairOptions& options) {
     }
     report.rms_displacement =
         std::sqrt(sum / static_cast<double>(result.track.size())) * request.unit;
-    report.lambda = result.lambda * std::pow(request.unit, 5);
+    report.lambda = in_data_units(result.lambda, request);
     report.sweeps = result.steps;
     report.status = result.converged ? Status::met : Status::not_converged;
     report.linearity_residual = residual(result.track, report.alpha);

@@ -87,8 +87,9 @@ private:
     }
     bool is_clothoid() const { return wish_.alpha == -1; }
 
-    void rough(double alpha, double lambda, double softness) {
-        fairing_.run({alpha, lambda, softness}, rough_move * goal_.sigma, rough_steps);
+    /// Whether the points came to rest.
+    bool rough(double alpha, double lambda, double softness) {
+        return fairing_.run({alpha, lambda, softness}, rough_move * goal_.sigma, rough_steps);
     }
     void fine(double lambda) {
         lambda_ = lambda;
@@ -152,9 +153,9 @@ private:
         for (double factor : {ratio, std::sqrt(ratio)}) {
             for (double at = best_lambda; at < largest;) {
                 at = std::fmin(at * factor, largest);
-                rough(alpha, at, softness);
+                const bool rests = rough(alpha, at, softness);
                 const double error = expected_error(at);
-                if (error < least) {
+                if (rests && error < least) {
                     best = fairing_.track();
                     best_lambda = at;
                     least = error;

@@ -7,6 +7,8 @@ namespace batten::fairing {
 namespace {
 
 constexpr int most_halvings = 12;
+constexpr double shortest_share = 0.1;  ///< of a step that is relaxed
+constexpr double at_the_bound = 1e-9;
 constexpr int most_active_rounds = 25;
 
 /// Curvature and its gradient along the three normals.
@@ -156,8 +158,8 @@ void PlaneFairing::solve(num::BandGivens<Border, 1>& system) {
     system.solve(0, change.data());
 }
 
-/// Primal-dual active set [HintermuellerItoKunisch2003]: whether the set has changed.
-bool PlaneFairing::update_active() {
+/// Half of the objective's slope by each displacement, after the change.
+std::vector<double> PlaneFairing::pulls() const {
     const std::size_t n = track_.size();
     const double weight = 1 / (goal_.sigma * goal_.sigma);
     std::vector<double> pull(n);
@@ -167,12 +169,22 @@ bool PlaneFairing::update_active() {
         for (std::size_t k = 0; k < 5; ++k) rest += rows_[i].c[k] * change_[(i + n + k - 2) % n];
         for (std::size_t k = 0; k < 5; ++k) pull[(i + n + k - 2) % n] += rows_[i].c[k] * rest;
     }
+    return pull;
+}
+
+/// How far along its normal a point may be from its datum.
+double PlaneFairing::room(std::size_t i) const {
+    const double room_sq = goal_.bound * goal_.bound - side_[i] * side_[i];
+    return room_sq > 0 ? std::sqrt(room_sq) : 0;
+}
+
+/// Primal-dual active set [HintermuellerItoKunisch2003]: whether the set has changed.
+bool PlaneFairing::update_active() {
+    const std::vector<double> pull = pulls();
     bool any = false;
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < track_.size(); ++i) {
         if (is_held(i)) continue;
-        const double room = goal_.bound * goal_.bound - side_[i] * side_[i];
-        const double most = room > 0 ? std::sqrt(room) : 0;
-        const double wanted = offset_[i] + change_[i];
+        const double most = room(i), wanted = offset_[i] + change_[i];
         signed char now = 0;
         if (active_[i] == 0) {
             now = wanted > most ? 1 : wanted < -most ? -1 : 0;
@@ -186,33 +198,52 @@ bool PlaneFairing::update_active() {
     return any;
 }
 
+void PlaneFairing::solve_change() {
+    for (std::size_t i = 0; i < track_.size(); ++i) {
+        if (is_held(i)) change_[i] = 0;
+    }
+    track_.closed ? solve<4>(ring_) : solve<0>(open_);
+}
+
+/// Where the active set goes round in circles: those stay that are at their bound and want out; the
+/// step ends where the first of the others meets its own.
+void PlaneFairing::find_feasible_change() {
+    std::fill(change_.begin(), change_.end(), 0.0);
+    const std::vector<double> pull = pulls();
+    for (std::size_t i = 0; i < track_.size(); ++i) {
+        const double most = room(i);
+        const bool at_bound = std::fabs(offset_[i]) >= most * (1 - at_the_bound);
+        const signed char side = offset_[i] < 0 ? -1 : 1;
+        active_[i] = !is_held(i) && at_bound && side * pull[i] < 0 ? side : 0;
+        if (active_[i] != 0) change_[i] = side * most - offset_[i];
+    }
+    solve_change();
+    double share = 1;
+    for (std::size_t i = 0; i < track_.size(); ++i) {
+        if (active_[i] != 0 || is_held(i) || change_[i] == 0) continue;
+        const double way = std::copysign(room(i), change_[i]) - offset_[i];
+        share = std::fmin(share, std::fmax(0, way / change_[i]));
+    }
+    for (double& u : change_) u *= share;
+    is_cut_ = share < 1;
+}
+
 void PlaneFairing::find_change() {
-    const auto solve_once = [this] {
-        for (std::size_t i = 0; i < track_.size(); ++i) {
-            if (is_held(i)) change_[i] = 0;
-        }
-        track_.closed ? solve<4>(ring_) : solve<0>(open_);
-    };
-    if (goal_.bound > 0) {
-        for (std::size_t i = 0; i < track_.size(); ++i) {
-            const double room = goal_.bound * goal_.bound - side_[i] * side_[i];
-            if (active_[i] != 0) {
-                change_[i] = active_[i] * (room > 0 ? std::sqrt(room) : 0) - offset_[i];
-            }
-        }
+    is_cut_ = false;
+    for (std::size_t i = 0; goal_.bound > 0 && i < track_.size(); ++i) {
+        if (active_[i] != 0) change_[i] = active_[i] * room(i) - offset_[i];
     }
-    solve_once();
-    for (int round = 0; goal_.bound > 0 && round < most_active_rounds; ++round) {
-        if (!update_active()) break;
-        solve_once();
+    solve_change();
+    if (goal_.bound == 0) return;
+    int round = 0;
+    while (round < most_active_rounds && update_active()) {
+        solve_change();
+        ++round;
     }
-    if (goal_.bound > 0) {  // a set that has not settled must not let anybody out
-        for (std::size_t i = 0; i < track_.size(); ++i) {
-            if (is_held(i)) continue;
-            const double room = goal_.bound * goal_.bound - side_[i] * side_[i];
-            const double most = room > 0 ? std::sqrt(room) : 0;
-            change_[i] = std::clamp(offset_[i] + change_[i], -most, most) - offset_[i];
-        }
+    if (round == most_active_rounds) find_feasible_change();
+    for (std::size_t i = 0; i < track_.size(); ++i) {  // nobody gets out, by rounding either
+        if (is_held(i)) continue;
+        change_[i] = std::clamp(offset_[i] + change_[i], -room(i), room(i)) - offset_[i];
     }
 }
 
@@ -223,21 +254,36 @@ void PlaneFairing::move(double share, const Track& from) {
     }
 }
 
+/// The share of the present step to take, from how the last one, taken by `share`, has changed it:
+/// Gauss-Newton steps that go to and fro grow shorter. Source: [KuettlerWall2008].
+double PlaneFairing::relaxed(double share) const {
+    double dot = 0, size_sq = 0;
+    for (std::size_t i = 0; i < change_.size(); ++i) {
+        const double turned = change_[i] - last_change_[i];
+        dot += last_change_[i] * turned;
+        size_sq += turned * turned;
+    }
+    return size_sq > 0 ? std::clamp(-share * dot / size_sq, shortest_share, 1.0) : 1;
+}
+
 bool PlaneFairing::run(const Stage& stage, double least_move, int most_steps) {
     stage_eps_sq_ = 0;
     linearise(stage);
     const double eps = stage.softness * typical_curvature();
     stage_eps_sq_ = eps * eps;
     linearise(stage);
-    double value = objective();
+    double value = objective(), share = 1;
     for (int i = 0; i < most_steps; ++i) {
         ++steps_;
+        last_change_ = change_;
+        const bool was_cut = is_cut_;
         find_change();
+        share = i == 0 || was_cut || is_cut_ ? 1 : relaxed(share);
         double most = 0;
         for (const double u : change_) most = std::fmax(most, std::fabs(u));
         const Track from = track_;
         const std::vector<double> nx = nx_, ny = ny_;
-        double share = 1, fresh = value;
+        double fresh = value;
         for (int half = 0;; ++half) {
             move(share, from);
             linearise(stage);
@@ -250,10 +296,10 @@ bool PlaneFairing::run(const Stage& stage, double least_move, int most_steps) {
         if (!(fresh <= value * (1 + 1e-6))) {
             track_ = from;
             linearise(stage);
-            return most < 10 * least_move;
+            return !is_cut_ && most < 10 * least_move;
         }
         value = fresh;
-        if (share * most < least_move) return true;
+        if (!is_cut_ && share * most < least_move) return true;
     }
     return false;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -32,7 +33,10 @@ public:
     PlaneFairing(const PlaneGoal& goal, Track start);
 
     const Track& track() const { return track_; }
-    void restart(Track track) { track_ = std::move(track); }
+    void restart(Track track) {
+        track_ = std::move(track);
+        std::fill(active_.begin(), active_.end(), 0);
+    }
     int steps() const { return steps_; }
 
     /// Steps until no point moves further than `move`, or `most_steps`; whether it came to rest.
@@ -45,9 +49,14 @@ private:
     void linearise(const Stage& stage);
     double objective() const;
     void find_change();
+    double relaxed(double share) const;
     template <std::size_t Border>
     void solve(num::BandGivens<Border, 1>& system);
+    std::vector<double> pulls() const;
+    double room(std::size_t i) const;
     bool update_active();
+    void solve_change();
+    void find_feasible_change();
     bool is_held(std::size_t i) const;
     void move(double share, const Track& from);
 
@@ -55,13 +64,14 @@ private:
     Track track_;
     int steps_ = 0;
     double stage_eps_sq_ = 0;
+    bool is_cut_ = false;  ///< the step ended at somebody's bound
     std::vector<double> nx_, ny_, edge_, kappa_, offset_, side_;
     std::vector<Bend> bends_;
     struct FairRow {
         double c[5], rest;  ///< R row, weighted: columns i - 2 ... i + 2
     };
     std::vector<FairRow> rows_;
-    std::vector<double> change_;
+    std::vector<double> change_, last_change_;
     std::vector<signed char> active_;  ///< -1, 0, 1: at the lower bound, free, at the upper one
     num::BandGivens<0, 1> open_;
     num::BandGivens<4, 1> ring_;

@@ -112,4 +112,9 @@ Request checked(PointsView points, const FairOptions& options) {
     return request;
 }
 
+std::optional<double> in_data_units(double lambda, const Request& request) {
+    const double result = lambda * std::pow(request.unit, 5);
+    return std::isfinite(result) ? std::optional(result) : std::nullopt;
+}
+
 }  // namespace batten::fairing

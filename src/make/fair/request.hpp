@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,5 +25,8 @@ struct Request {
 
 /// Throws what `fair` says, but for `fair.folds`.
 Request checked(PointsView points, const FairOptions& options);
+
+/// A lambda of working units; nothing where it is beyond a double.
+std::optional<double> in_data_units(double lambda, const Request& request);
 
 }  // namespace batten::fairing

@@ -89,4 +89,7 @@ Panel curvature_plot(const Curve& curve, const std::string& name = {});
 /// gives the slope and its standard error. Throws `curve.dimension`.
 Panel curvature_graph_plot(const Curve& curve, const std::string& name = {});
 
+/// The same of the radius of torsion. Throws `curve.dimension` but for curves in space.
+Panel torsion_graph_plot(const Curve& curve, const std::string& name = {});
+
 }  // namespace batten

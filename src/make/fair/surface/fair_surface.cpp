@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
@@ -17,6 +17,8 @@ namespace batten {
 namespace {
 
 constexpr std::size_t fewest_lines = 7;
+/// Of the mean distance: fourth differences divide by the fourth power.
+constexpr double closest_lines = 1e-5;
 /// Of the extent: the filter rests where no node moves further, rounding among the moves.
 constexpr double filter_rest = 1e-12;
 
@@ -65,10 +67,12 @@ void require_grid(const GridView& grid, const FairSurfaceOptions& options) {
 }
 
 void require_apart(const std::vector<double>& knots, const char* which) {
+    const double least = closest_lines * knots.back() / static_cast<double>(knots.size() - 1);
     for (std::size_t i = 1; i < knots.size(); ++i) {
-        if (knots[i] > knots[i - 1]) continue;
+        if (knots[i] - knots[i - 1] > least) continue;
         throw Error("grid.repeated", std::string(which) + " " + std::to_string(i),
-                    "on the one before it", "neighbouring lines of nodes must be apart");
+                    "on the one before it",
+                    "neighbouring lines of nodes must be apart, by 1e-5 of the mean at least");
     }
 }
 
@@ -113,24 +117,25 @@ SurfaceBend bend_at(const GridView& g, std::size_t i, std::size_t j) {
     return surface_bend(fairing::node_jet(around, u, v, 1, 1)).value_or(SurfaceBend{});
 }
 
+CurvatureSpread spread_of(const std::vector<double>& values) {
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    const double size = std::fmax(std::fabs(*least), std::fabs(*most));
+    double sum = 0;  // over the largest: squares may be beyond a double
+    for (const double value : values) sum += size > 0 ? value / size * (value / size) : 0;
+    return {*least, *most, size * std::sqrt(sum / static_cast<double>(values.size()))};
+}
+
 void tell_curvatures(const Grid& grid, FairSurfaceReport& report) {
-    constexpr double far = std::numeric_limits<double>::infinity();
-    CurvatureSpread spreads[2] = {{far, -far, 0}, {far, -far, 0}};
+    std::vector<double> gaussian, mean;
     for (std::size_t i = 1; i + 1 < grid.nu(); ++i) {
         for (std::size_t j = 1; j + 1 < grid.nv(); ++j) {
             const SurfaceBend bend = bend_at(grid, i, j);
-            const double values[2] = {bend.gaussian, bend.mean};
-            for (std::size_t k = 0; k < 2; ++k) {
-                spreads[k].min = std::fmin(spreads[k].min, values[k]);
-                spreads[k].max = std::fmax(spreads[k].max, values[k]);
-                spreads[k].rms += values[k] * values[k];
-            }
+            gaussian.push_back(bend.gaussian);
+            mean.push_back(bend.mean);
         }
     }
-    const double count = static_cast<double>((grid.nu() - 2) * (grid.nv() - 2));
-    for (CurvatureSpread& spread : spreads) spread.rms = std::sqrt(spread.rms / count);
-    report.gaussian_curvature = spreads[0];
-    report.mean_curvature = spreads[1];
+    report.gaussian_curvature = spread_of(gaussian);
+    report.mean_curvature = spread_of(mean);
 }
 
 /// Moves the nodes to where they are in `planes`; those that stay keep their bits.

@@ -95,6 +95,7 @@ std::optional<Vector> place(const Planes& p, const SurfaceFilterPlan& plan, doub
     Vector next;
     for (std::size_t k = 0; k < 3; ++k) {
         next[k] = here[k] + damping * (base[k] + *phi * bend->normal[k] - here[k]);
+        if (!std::isfinite(next[k])) return std::nullopt;
     }
     return next;
 }
