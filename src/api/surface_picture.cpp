@@ -1,13 +1,13 @@
 #include "api/surface_picture.hpp"
 
 #include <cmath>
+#include <functional>
 
 #include "batten/base/text.hpp"
 
 namespace batten::api {
 namespace {
 
-constexpr int levels_drawn = 10;
 constexpr double notable = 2;  // standard deviations
 
 Points segment(double x0, double y0, double x1, double y1) {
@@ -64,6 +64,35 @@ Panel map_panel(const std::string& caption) {
     return panel;
 }
 
+/// The knot lines, curved and straight.
+Panel front_map(const CurvedKnotSurface& surface) {
+    constexpr std::size_t places = 101;
+    const Rectangle domain = surface.domain();
+    Panel panel = map_panel("knot lines");
+    PolylineLayer curved{{}, "lines of x", {Tone::accent}};
+    for (const SplineFunction& line : surface.x_lines()) {
+        Points run(0, 2);
+        for (const double y : even_places(domain.y, places)) {
+            run.push_back(std::vector<double>{line(y), y});
+        }
+        curved.runs.push_back(std::move(run));
+    }
+    PolylineLayer across{{}, "lines of y", {Tone::grey, Dash::dotted, 0.8}};
+    for (const SplineFunction& line : surface.y_lines()) {
+        Points run(0, 2);
+        for (const double x : even_places(domain.x, places)) {
+            run.push_back(std::vector<double>{x, line(x)});
+        }
+        across.runs.push_back(std::move(run));
+    }
+    for (PolylineLayer& layer : {std::ref(curved), std::ref(across)}) {
+        if (!layer.runs.empty()) panel.add(layer);
+    }
+    panel.x_range = domain.x;
+    panel.y_range = domain.y;
+    return panel;
+}
+
 }  // namespace
 
 void add_contours(Panel& panel, const std::vector<Contour>& lines) {
@@ -77,44 +106,29 @@ void add_contours(Panel& panel, const std::vector<Contour>& lines) {
     }
 }
 
-Drawing surface_fit_picture(const SurfaceFit& fit, const GridFile& grid) {
-    Drawing drawing;
-    drawing.panels.clear();
+Panel surface_map(const Surface& surface, int levels) {
+    if (const auto* curved = std::get_if<CurvedKnotSurface>(&surface)) return front_map(*curved);
+    const SplineSurface& product = std::get<SplineSurface>(surface);
     Panel map = map_panel("lines of equal height");
-    add_knot_lines(map, fit.surface);
-    for (const double level : round_levels(fit.surface, levels_drawn)) {
-        add_contours(map, contours(fit.surface, level, relative(1e-4)));
+    add_knot_lines(map, product);
+    for (const double level : round_levels(product, levels)) {
+        add_contours(map, contours(product, level, relative(1e-4)));
     }
-    Panel rest = map_panel("residuals");
-    add_knot_lines(rest, fit.surface);
-    add_residuals(rest, fit, grid);
-    drawing.panels.push_back(std::move(map));
-    drawing.panels.push_back(std::move(rest));
+    return map;
+}
+
+Drawing surface_picture(const Surface& surface, int levels) {
+    Drawing drawing;
+    drawing.panels = {surface_map(surface, levels)};
     return drawing;
 }
 
-Drawing front_picture(const FrontFit& fit) {
-    constexpr std::size_t places = 101;
-    const Rectangle domain = fit.surface.domain();
-    Drawing drawing;
-    Panel panel = map_panel(fit.report.is_jump ? "knot lines, a jump" : "knot lines");
-    PolylineLayer curved{{}, "curved lines", {Tone::accent}};
-    for (const SplineFunction& line : fit.surface.x_lines()) {
-        Points run(0, 2);
-        for (const double y : even_places(domain.y, places)) {
-            run.push_back(std::vector<double>{line(y), y});
-        }
-        curved.runs.push_back(std::move(run));
-    }
-    PolylineLayer straight{{}, "straight lines", {Tone::grey, Dash::dotted, 0.8}};
-    for (const SplineFunction& line : fit.surface.y_lines()) {
-        const double y = line(domain.x.lo);
-        straight.runs.push_back(segment(domain.x.lo, y, domain.x.hi, y));
-    }
-    panel.add(curved).add(straight);
-    panel.x_range = domain.x;
-    panel.y_range = domain.y;
-    drawing.panels = {std::move(panel)};
+Drawing surface_fit_picture(const SurfaceFit& fit, const GridFile& grid) {
+    Drawing drawing = surface_picture(Surface(fit.surface), usual_levels);
+    Panel rest = map_panel("residuals");
+    add_knot_lines(rest, fit.surface);
+    add_residuals(rest, fit, grid);
+    drawing.panels.push_back(std::move(rest));
     return drawing;
 }
 

@@ -2,9 +2,9 @@
 
 #include "batten/io/draw/drawing.hpp"
 #include "batten/io/grid_file.hpp"
-#include "batten/make/fit_front.hpp"
 #include "batten/make/fit_surface.hpp"
 #include "batten/measure/contours.hpp"
+#include "batten/shape/surface.hpp"
 
 namespace batten::api {
 
@@ -15,7 +15,10 @@ void add_contours(Panel& panel, const std::vector<Contour>& lines);
 /// two standard deviations, those above and those below.
 Drawing surface_fit_picture(const SurfaceFit& fit, const GridFile& grid);
 
-/// The knot lines of a surface with a front.
-Drawing front_picture(const FrontFit& fit);
+/// Knot lines, and about `levels` lines of equal height where the surface is a tensor product.
+Panel surface_map(const Surface& surface, int levels);
+Drawing surface_picture(const Surface& surface, int levels);
+
+constexpr int usual_levels = 10;
 
 }  // namespace batten::api
