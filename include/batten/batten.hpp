@@ -51,6 +51,7 @@
 #include "batten/measure/measured.hpp"
 #include "batten/measure/nearest.hpp"
 #include "batten/measure/surface.hpp"
+#include "batten/measure/surface_measures.hpp"
 
 // Curves from points, and from other curves.
 #include "batten/make/arcs.hpp"
@@ -61,6 +62,7 @@
 #include "batten/make/fit_chunks.hpp"
 #include "batten/make/fit_curve.hpp"
 #include "batten/make/fit_front.hpp"
+#include "batten/make/fit_scattered.hpp"
 #include "batten/make/fit_surface.hpp"
 #include "batten/make/interpolate.hpp"
 #include "batten/make/motion.hpp"

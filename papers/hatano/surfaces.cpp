@@ -11,7 +11,7 @@
 #include <iostream>
 
 #include "batten/batten.hpp"
-#include "moved_lines.hpp"
+#include "surface_sets.hpp"
 
 namespace {
 
@@ -140,6 +140,14 @@ SurfaceFit kprog_2(const SurfaceSet& set, StripRule rule, std::vector<double> in
     return fit_surface(set.view(), options);
 }
 
+/// KPROG 3: the lines of a fit moved to where delta2 is least.
+SurfaceFit with_moved_lines(const SurfaceSet& set, const SurfaceFit& start) {
+    FitSurfaceOptions options = options_for(set, SurfaceKnots::free);
+    options.x_knots = start.report.breaks_x;
+    options.y_knots = start.report.breaks_y;
+    return fit_surface(set.view(), options);
+}
+
 bool passes(const SurfaceSet& set, const FitSurfaceReport& report) {
     const std::vector<double> wanted = distribution_for(set);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
@@ -151,17 +159,16 @@ bool passes(const SurfaceSet& set, const FitSurfaceReport& report) {
 /// Lines moved from the latest steps of KPROG 2 on that, moved, pass its test.
 SurfaceFit kprog_3(const SurfaceSet& set, const SurfaceFit& second, StripRule rule) {
     constexpr std::size_t steps_back = 6;
-    constexpr int sweeps = 2;
     const std::vector<SurfaceStep>& path = second.report.path;
     const std::size_t last = path.size() - 1;
     for (std::size_t k = last - std::min(last, steps_back); k < last; ++k) {
         const auto [m, n] = path[k].intervals;
         const SurfaceFit start =
             kprog_2(set, rule, {static_cast<double>(m), static_cast<double>(n)});
-        SurfaceFit moved = papers::with_moved_lines(set, start, sweeps);
+        SurfaceFit moved = with_moved_lines(set, start);
         if (passes(set, moved.report)) return moved;
     }
-    return papers::with_moved_lines(set, second, sweeps);
+    return with_moved_lines(set, second);
 }
 
 struct Printed {
@@ -246,7 +253,7 @@ public:
     void scintillator(const SurfaceSet& set) const {
         const std::vector<double> levels = levels_between(0, 1.5, 16);
         const SurfaceFit second = kprog_2(set, StripRule::projected, {99, 16});
-        const SurfaceFit third = papers::with_moved_lines(set, second, 1);
+        const SurfaceFit third = with_moved_lines(set, second);
         write("3.5a-d", set, {data_column(set, levels), at_nodes("b: KPROG 2", set, second, levels),
                               residuals("c: KPROG 2, residuals", set, second),
                               between_nodes("d: KPROG 2, between the nodes", second, levels)});

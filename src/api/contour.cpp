@@ -53,15 +53,6 @@ void visit_fields(const ContourReport& r, Visit&& visit) {
     visit("lines", r.lines, "what the lines are");
 }
 
-const SplineSurface& product_input(std::span<const Input> inputs) {
-    const SplineSurface* surface = std::get_if<SplineSurface>(&surface_input(inputs));
-    if (!surface) {
-        throw Error("input.kind", "input", "a surface with curved knot lines",
-                    "this operation takes a tensor product");
-    }
-    return *surface;
-}
-
 /// Joints row after row.
 Rows rows_of(const std::vector<Contour>& lines) {
     Rows rows{{"line", "level", "x", "y"}, Points(0, 4)};

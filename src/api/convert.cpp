@@ -2,6 +2,9 @@
 
 #include "api/machine_options.hpp"
 #include "api/row.hpp"
+#include "api/surface_picture.hpp"
+#include "api/surface_values.hpp"
+#include "batten/base/error.hpp"
 
 namespace batten::api {
 namespace {
@@ -9,6 +12,7 @@ namespace {
 struct ConvertRequest {
     ConvertOptions convert;
     MachineOptions machine;
+    int count = 65;
 };
 
 template <class Options, class Visit>
@@ -16,6 +20,8 @@ template <class Options, class Visit>
 void visit_fields(Options& o, Visit&& visit) {
     visit_fields(o.convert, visit);
     visit_fields(o.machine, visit);
+    visit("count", o.count, between(2, 10000),
+          "of a surface: lines each way of the grid or mesh that is written");
 }
 
 Drawing picture(const Curve& before, const Curve& after) {
@@ -25,7 +31,36 @@ Drawing picture(const Curve& before, const Curve& after) {
     return drawing;
 }
 
+struct SurfaceForm {
+    std::string kind;
+};
+
+template <class Visit>
+void visit_fields(const SurfaceForm& r, Visit&& visit) {
+    visit("kind", r.kind, "what the surface is");
+}
+
+Outcome run_surface(const Surface& surface, const ConvertRequest& request) {
+    const ConvertOptions& o = request.convert;
+    if (o.as != Form::same || o.reverse || o.trim || o.scale) {
+        throw Error("surface.option", "convert", "as, reverse, trim or scale",
+                    "these are for curves; a surface takes count and format");
+    }
+    const auto count = static_cast<std::size_t>(request.count);
+    const Rectangle domain = domain_of(surface);
+    const bool is_product = std::holds_alternative<SplineSurface>(surface);
+    return {surface, Status::met, {},
+            report_value(SurfaceForm{is_product ? "b-spline-graph" : "curved-knots"}),
+            [surface] { return surface_picture(surface, usual_levels); },
+            surface_forms(surface, even_places(domain.x, count), even_places(domain.y, count))};
+}
+
 Outcome run(std::span<const Input> inputs, const ConvertRequest& request) {
+    if (inputs.size() == 1) {
+        if (const auto* surface = std::get_if<Surface>(&inputs.front().content)) {
+            return run_surface(*surface, request);
+        }
+    }
     const Curve& curve = curve_input(inputs);
     const Conversion made = convert(curve, request.convert);
     return {made.curve, made.report.status, {}, report_value(made.report),
@@ -37,7 +72,8 @@ Outcome run(std::span<const Input> inputs, const ConvertRequest& request) {
 
 Operation convert_row() {
     return row<ConvertRequest>(
-        {"convert", "other forms of a curve, trimmed, reversed or scaled", InputKind::curve,
+        {"convert", "other forms of a curve or surface, trimmed, reversed or scaled",
+         InputKind::curve_or_surface,
          OutputKind::curve},
         run);
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "api/row.hpp"
+#include "api/surface_picture.hpp"
 #include "batten/measure/arc_length_map.hpp"
 
 namespace batten::api {
@@ -17,6 +18,8 @@ struct DrawOptions {
     bool index = false;
     std::optional<int> samples;
     bool lcg = false;
+    std::optional<int> contours;
+    bool surface = false;
     std::string title;
     int width = 800;
 };
@@ -33,6 +36,9 @@ void visit_fields(Options& o, Visit&& visit) {
     visit("lcg", o.lcg, anything,
           "a panel more: the logarithmic curvature graph, its line and slope; in space that of "
           "torsion as well");
+    visit("contours", o.contours, between(1, 1000),
+          "of surfaces: about so many lines of equal height [10]");
+    visit("surface", o.surface, anything, "of surfaces: a panel more, the surface in space");
     visit("title", o.title, anything, "a line of text above the picture");
     visit("width", o.width, between(240, 4000), "width of the picture in pixels");
 }
@@ -40,12 +46,14 @@ void visit_fields(Options& o, Visit&& visit) {
 struct DrawReport {
     std::size_t curves = 0;
     std::size_t points = 0;
+    std::size_t surfaces = 0;
 };
 
 template <class Visit>
 void visit_fields(const DrawReport& r, Visit&& visit) {
     visit("curves", r.curves, "curves in the picture");
     visit("points", r.points, "points in the picture");
+    visit("surfaces", r.surfaces, "surfaces in the picture");
 }
 
 /// Parameters of `count` points equally far apart along `curve`, its ends among them.
@@ -86,6 +94,14 @@ Outcome run(std::span<const Input> inputs, const DrawOptions& options) {
         }
     }
     for (const Input& input : inputs) {
+        if (const auto* surface = std::get_if<Surface>(&input.content)) {
+            const int levels = options.contours.value_or(usual_levels);
+            plots.push_back(surface_map(*surface, levels));
+            if (options.surface) plots.push_back(surface_relief(*surface, levels));
+            ++report.surfaces;
+        }
+    }
+    for (const Input& input : inputs) {
         if (const auto* table = std::get_if<PointsInput>(&input.content)) {
             const SharedPoints points = points_of(*table);
             report.points += points.size();
@@ -93,6 +109,7 @@ Outcome run(std::span<const Input> inputs, const DrawOptions& options) {
                                     options.index ? PointLabels::index : PointLabels::none});
         }
     }
+    if (report.curves + report.points == 0 && report.surfaces > 0) drawing.panels.clear();
     for (Panel& plot : plots) drawing.panels.push_back(std::move(plot));
     return {drawing, Status::met, {}, report_value(report), [drawing] { return drawing; }};
 }
@@ -100,7 +117,7 @@ Outcome run(std::span<const Input> inputs, const DrawOptions& options) {
 }  // namespace
 
 Operation draw_row() {
-    return row<DrawOptions>({"draw", "a picture of points and curves", InputKind::points_or_curve,
+    return row<DrawOptions>({"draw", "a picture of points, curves and surfaces", InputKind::any,
                              OutputKind::drawing, true},
                             run);
 }

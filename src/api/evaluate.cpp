@@ -4,6 +4,8 @@
 #include <string>
 
 #include "api/row.hpp"
+#include "api/surface_picture.hpp"
+#include "api/surface_values.hpp"
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
 #include "batten/io/write_points.hpp"
@@ -17,10 +19,11 @@ namespace {
 constexpr int most_derivatives = 9;
 
 struct EvaluateOptions {
-    std::vector<double> at;
+    Coordinates at;
     std::optional<int> count;
     int derivatives = 0;
-    std::optional<Interval> integral;
+    std::vector<double> integral;
+    bool curvature = false;
     bool roots = false;
     bool extrema = false;
     std::vector<double> nearest;
@@ -30,12 +33,15 @@ struct EvaluateOptions {
 template <class Options, class Visit>
     requires std::same_as<std::remove_const_t<Options>, EvaluateOptions>
 void visit_fields(Options& o, Visit&& visit) {
-    visit("at", o.at, anything, "parameters to evaluate at; abscissae where the curve is y(x)");
-    visit("count", o.count, between(2, 1e8), "so many parameters, evenly over the domain");
+    visit("at", o.at, anything, "parameters to evaluate at; abscissae where the curve is y(x); on a surface places X,Y");
+    visit("count", o.count, between(2, 1e8), "so many parameters, evenly over the domain; so many a side of a surface");
     visit("derivatives", o.derivatives, between(0, most_derivatives),
           "derivatives by the parameter, up to this one");
     visit("integral", o.integral, anything,
-          "the integral of the last coordinate over the parameter from A to B");
+          "the integral of the last coordinate over the parameter from A to B; of a surface over "
+          "X0,X1,Y0,Y1");
+    visit("curvature", o.curvature, anything,
+          "of a surface: its normal, Gaussian and mean curvature");
     visit("roots", o.roots, anything, "where the last coordinate is 0");
     visit("extrema", o.extrema, anything, "local minima and maxima of the last coordinate");
     visit("nearest", o.nearest, anything, "the point of the curve that is nearest to X,Y[,Z]");
@@ -63,19 +69,19 @@ void visit_fields(const EvaluateReport& r, Visit&& visit) {
 
 std::vector<double> parameters(const Curve& curve, const EvaluateOptions& options) {
     const Interval domain = curve.domain();
-    for (const double t : options.at) {
+    for (const double t : options.at.numbers) {
         if (!domain.contains(t)) {
             throw Error("curve.outside", "at", format_number(t),
                         "must lie in the curve's domain [" + format_number(domain.lo) + ", " +
                             format_number(domain.hi) + "]");
         }
     }
-    std::vector<double> t = options.at;
+    std::vector<double> t = options.at.numbers;
     for (int i = 0; options.count && i < *options.count; ++i) {
         t.push_back(i + 1 == *options.count ? domain.hi
                                             : domain.lo + domain.length() * i / (*options.count - 1));
     }
-    const bool asks_nothing = !options.integral && !options.roots && !options.extrema &&
+    const bool asks_nothing = options.integral.empty() && !options.roots && !options.extrema &&
                               options.nearest.empty() && options.line.empty();
     if (t.empty() && asks_nothing) t.assign(curve.breaks().begin(), curve.breaks().end());
     return t;
@@ -104,10 +110,18 @@ Rows values(const Curve& curve, std::span<const double> t, int derivatives) {
     return rows;
 }
 
+void require_numbers(const std::vector<double>& integral, std::size_t count, const char* rule) {
+    if (integral.size() == count) return;
+    throw Error("option.value", "integral", std::to_string(integral.size()) + " numbers", rule);
+}
+
 EvaluateReport answers(const Curve& curve, const EvaluateOptions& options) {
     const int last = curve.dim() - 1;
     EvaluateReport report;
-    if (options.integral) report.integral = integral(curve, last, *options.integral);
+    if (!options.integral.empty()) {
+        require_numbers(options.integral, 2, "must be two numbers A,B");
+        report.integral = integral(curve, last, {options.integral[0], options.integral[1]});
+    }
     if (options.roots) report.roots = roots(curve, last, 0);
     if (options.extrema) report.extrema = extrema(curve, last);
     if (!options.nearest.empty()) report.nearest = nearest(curve, options.nearest);
@@ -130,7 +144,42 @@ Drawing picture(const Curve& curve, const std::vector<double>& t) {
     return drawing;
 }
 
+Outcome run_surface(const Surface& surface, const EvaluateOptions& options) {
+    if (options.roots || options.extrema || !options.nearest.empty() || !options.line.empty()) {
+        throw Error("surface.option", "evaluate", "roots, extrema, nearest or line",
+                    "these are asked of curves");
+    }
+    constexpr int usual_count = 33;
+    const bool asks_nothing = options.at.numbers.empty() && options.integral.empty();
+    const Rows rows = surface_rows(
+        surface, {options.at.numbers, options.count.value_or(asks_nothing ? usual_count : 0),
+                  options.derivatives, options.curvature});
+    EvaluateReport report;
+    report.points = rows.cells.size();
+    if (!options.integral.empty()) {
+        const std::vector<double>& p = options.integral;
+        require_numbers(p, 4, "must be four numbers X0,X1,Y0,Y1");
+        const SplineSurface* product = std::get_if<SplineSurface>(&surface);
+        if (!product) {
+            throw Error("surface.option", "integral", "asked for",
+                        "surfaces with curved knot lines have no exact integral");
+        }
+        report.integral = integral(*product, {{p[0], p[1]}, {p[2], p[3]}});
+    }
+    return {rows, Status::met, {}, report_value(report), [surface] {
+                return surface_picture(surface, usual_levels);
+            }};
+}
+
 Outcome run(std::span<const Input> inputs, const EvaluateOptions& options) {
+    if (inputs.size() == 1) {
+        if (const auto* surface = std::get_if<Surface>(&inputs.front().content)) {
+            return run_surface(*surface, options);
+        }
+    }
+    if (options.curvature) {
+        throw Error("surface.option", "curvature", "asked for", "this is asked of surfaces");
+    }
     const Curve& curve = curve_input(inputs);
     const std::vector<double> t = parameters(curve, options);
     EvaluateReport report = answers(curve, options);
@@ -143,7 +192,7 @@ Outcome run(std::span<const Input> inputs, const EvaluateOptions& options) {
 
 Operation evaluate_row() {
     return row<EvaluateOptions>({"evaluate", "points, derivatives, integrals, roots and extrema",
-                                 InputKind::curve, OutputKind::rows},
+                                 InputKind::curve_or_surface, OutputKind::rows},
                                 run);
 }
 

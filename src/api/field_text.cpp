@@ -151,6 +151,13 @@ void read(const Argument& argument, std::vector<double>& out, const Slot& slot) 
     }
 }
 
+void read(const Argument& argument, Coordinates& out, const Slot& slot) {
+    const auto* rows = std::get_if<Points>(&argument);
+    if (!rows) return read(argument, out.numbers, slot);
+    out.numbers.assign(rows->coordinates().begin(), rows->coordinates().end());
+    for (const double x : out.numbers) checked(x, slot);
+}
+
 void read(const Argument& argument, std::vector<Tolerance>& out, const Slot& slot) {
     out.clear();
     if (const auto* text = std::get_if<std::string>(&argument)) {
@@ -206,6 +213,7 @@ Value shown(const IndexRange& x) { return ValueList{x.from, x.to}; }
 Value shown(const Interval& x) { return ValueList{x.lo, x.hi}; }
 Value shown(const std::vector<int>& x) { return ValueList(x.begin(), x.end()); }
 Value shown(const std::vector<double>& x) { return Value(x); }
+Value shown(const Coordinates& x) { return Value(x.numbers); }
 Value shown(const std::vector<Tolerance>& x) {
     ValueList list;
     for (const Tolerance& each : x) list.push_back(shown(each));
@@ -238,6 +246,7 @@ Spelling spelling(const IndexRange&) { return {FieldKind::list, "FROM,TO"}; }
 Spelling spelling(const Interval&) { return {FieldKind::list, "A,B"}; }
 Spelling spelling(const std::vector<int>&) { return {FieldKind::list, "I,…"}; }
 Spelling spelling(const std::vector<double>&) { return {FieldKind::list, "X,…|FILE", true}; }
+Spelling spelling(const Coordinates&) { return {FieldKind::list, "X,…|FILE", true}; }
 Spelling spelling(const std::vector<Tolerance>&) { return {FieldKind::list, "S,…|FILE", true}; }
 Spelling spelling(const std::vector<FixedTangent>&) { return {FieldKind::list, "I:DEGREES,…"}; }
 Spelling spelling(const Points&) { return {FieldKind::table, "FILE", true}; }

@@ -1,10 +1,14 @@
 #include "batten/make/fit_surface.hpp"
 
+#include <algorithm>
+
 #include "api/row.hpp"
 #include "api/surface_picture.hpp"
+#include "api/surface_values.hpp"
 #include "batten/io/grid_file.hpp"
 #include "batten/io/surface_file.hpp"
 #include "batten/make/fit_front.hpp"
+#include "batten/make/fit_scattered.hpp"
 
 namespace batten::api {
 namespace {
@@ -12,6 +16,7 @@ namespace {
 /// The options of a surface fit, and where the grid's lines stand.
 struct SurfaceRequest {
     std::vector<double> x, y;
+    bool scattered = false;
     FitSurfaceOptions fit;
 };
 
@@ -20,6 +25,8 @@ template <class Options, class Visit>
 void visit_fields(Options& o, Visit&& visit) {
     visit("x", o.x, anything, "places of the grid's lines in x, where the file holds none");
     visit("y", o.y, anything, "places of the grid's lines in y");
+    visit("scattered", o.scattered, anything,
+          "rows x,y,z[,sigma] in any places, not on a grid");
     visit_fields(o.fit, visit);
 }
 
@@ -32,31 +39,55 @@ void take_lines(std::vector<double>& lines, const std::vector<double>& given, co
     lines = given;
 }
 
-std::vector<OutputForm> surface_forms(const SplineSurface& surface, const GridFile& grid) {
-    const auto on_nodes = [surface, grid] { return surface.evaluate(grid.x, grid.y); };
-    const MeshPlaces places{grid.x, grid.y};
-    return {{"csv", [=] { return csv_grid(grid.x, grid.y, on_nodes()); }},
-            {"npy", [=] { return npy_grid(on_nodes()); }},
-            {"obj", [=] { return obj_mesh(surface, places); }},
-            {"ply", [=] { return ply_mesh(surface, places); }},
-            {"stl", [=] { return stl_mesh(surface, places); }}};
-}
-
 Outcome run_curved(const GridFile& grid, const FitSurfaceOptions& options) {
     FitFrontOptions front;
     front.sigma = options.sigma;
     const FrontFit made = fit_front({grid.x, grid.y, grid.z, {}, {}, grid.sigma}, front);
-    const auto heights = [made, grid] { return heights_on(made.surface, grid.x, grid.y); };
     return {Surface(made.surface),
             made.report.status,
             {},
             report_value(made.report),
             [made, grid, sigma = options.sigma] { return front_picture(made, grid, sigma); },
-            {{"csv", [=] { return csv_grid(grid.x, grid.y, heights()); }},
-             {"npy", [=] { return npy_grid(heights()); }}}};
+            surface_forms(Surface(made.surface), grid.x, grid.y)};
+}
+
+/// The column of one of these names, else the `place`-th.
+int scattered_column(const Table& table, std::initializer_list<const char*> names, int place) {
+    for (const char* const name : names) {
+        const auto at = std::find(table.names.begin(), table.names.end(), name);
+        if (at != table.names.end()) return static_cast<int>(at - table.names.begin());
+    }
+    return column_index(table, "#" + std::to_string(place));
+}
+
+bool has_sigma_column(const Table& table) {
+    return std::find(table.names.begin(), table.names.end(), "sigma") != table.names.end() ||
+           (table.names.empty() && table.columns() == 4);
+}
+
+Outcome run_scattered(std::span<const Input> inputs, const SurfaceRequest& request) {
+    const PointsInput input = rows_input(inputs);
+    const Table& table = input.table;
+    const std::vector<double> x = column_values(table, scattered_column(table, {"x"}, 1));
+    const std::vector<double> y = column_values(table, scattered_column(table, {"y"}, 2));
+    const std::vector<double> z =
+        column_values(table, scattered_column(table, {"z", "f", "value", "height"}, 3));
+    std::vector<double> sigma;
+    if (!request.fit.sigma && has_sigma_column(table)) {
+        sigma = column_values(table, scattered_column(table, {"sigma"}, 4));
+    }
+    const SurfaceFit made = naming_lines(
+        input, [&] { return fit_scattered({x, y, z, sigma}, request.fit); });
+    const Rectangle domain = made.surface.domain();
+    constexpr std::size_t lines = 65;
+    return {Surface(made.surface), made.report.status, {}, report_value(made.report),
+            [made] { return surface_picture(Surface(made.surface), usual_levels); },
+            surface_forms(Surface(made.surface), even_places(domain.x, lines),
+                          even_places(domain.y, lines))};
 }
 
 Outcome run(std::span<const Input> inputs, const SurfaceRequest& request) {
+    if (request.scattered) return run_scattered(inputs, request);
     GridFile grid = grid_input(inputs);
     take_lines(grid.x, request.x, "x");
     take_lines(grid.y, request.y, "y");
@@ -71,7 +102,7 @@ Outcome run(std::span<const Input> inputs, const SurfaceRequest& request) {
             {},
             report_value(made.report),
             [made, grid] { return surface_fit_picture(made, grid); },
-            surface_forms(made.surface, grid)};
+            surface_forms(Surface(made.surface), grid.x, grid.y)};
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "batten/measure/measure.hpp"
 
 #include "api/row.hpp"
+#include "api/surface_picture.hpp"
+#include "batten/measure/surface_measures.hpp"
 
 namespace batten::api {
 namespace {
@@ -15,7 +17,19 @@ Drawing picture(const Curve& curve) {
     return drawing;
 }
 
+/// The area of a surface costs more than the length of a curve: less is asked of it.
+constexpr Tolerance usual_area_tolerance = relative(1e-9);
+
 Outcome run(std::span<const Input> inputs, const MeasureOptions& options) {
+    if (inputs.size() == 1 && std::holds_alternative<Surface>(inputs.front().content)) {
+        const SplineSurface& surface = product_input(inputs);
+        const bool is_usual = options.tolerance == MeasureOptions{}.tolerance;
+        const SurfaceReport report =
+            measure_surface(surface, is_usual ? usual_area_tolerance : options.tolerance);
+        return {{}, report.status, {}, report_value(report), [surface] {
+                    return surface_picture(Surface(surface), usual_levels);
+                }};
+    }
     const Curve& curve = curve_input(inputs);
     const MeasureReport report = measure(curve, options);
     return {{}, report.status, {}, report_value(report), [curve] { return picture(curve); }};
@@ -25,8 +39,8 @@ Outcome run(std::span<const Input> inputs, const MeasureOptions& options) {
 
 Operation measure_row() {
     return row<MeasureOptions>(
-        {"measure", "length, area, energy, curvature and joints of a curve, with their errors",
-         InputKind::curve, OutputKind::report},
+        {"measure", "length, area, energy, curvature and joints of a curve; area, volume and bends of a surface",
+         InputKind::curve_or_surface, OutputKind::report},
         run);
 }
 

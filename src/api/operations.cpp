@@ -9,7 +9,8 @@ const std::vector<Operation>& operations() {
         api::arcs_row(),        api::sample_row(),        api::fit_row(),
         api::fit_surface_row(), api::fair_row(),          api::fair_surface_row(),
         api::log_aesthetic_row(), api::coons_row(),       api::measure_row(),
-        api::evaluate_row(),    api::contour_row(),       api::compare_row(),
+        api::evaluate_row(),    api::contour_row(),       api::section_row(),
+        api::compare_row(),
         api::convert_row(),     api::draw_row(),
     };
     return table;

@@ -33,7 +33,7 @@ SharedNumbers gathered(PointsView rows, int column) {
 const Curve& curve_input(std::span<const Input> inputs) {
     const Input& input = single(inputs);
     const Curve* curve = std::get_if<Curve>(&input.content);
-    if (!curve) throw Error("input.kind", input.name, "points", "this operation takes a curve");
+    if (!curve) throw Error("input.kind", input.name, "no curve", "this operation takes a curve");
     return *curve;
 }
 
@@ -50,12 +50,41 @@ const Surface& surface_input(std::span<const Input> inputs) {
     return *surface;
 }
 
+const SplineSurface& product_input(std::span<const Input> inputs) {
+    const SplineSurface* surface = std::get_if<SplineSurface>(&surface_input(inputs));
+    if (!surface) {
+        throw Error("input.kind", "input", "a surface with curved knot lines",
+                    "this operation takes a tensor product");
+    }
+    return *surface;
+}
+
 GridFile grid_input(std::span<const Input> inputs) {
     const Input& input = single(inputs);
     if (const GridFile* grid = std::get_if<GridFile>(&input.content)) return *grid;
     const Source* source = std::get_if<Source>(&input.content);
     if (!source) throw Error("input.kind", "input", "no grid", "this operation takes a grid");
     return parse_grid(*source);
+}
+
+PointsInput rows_input(std::span<const Input> inputs) {
+    const Input& input = single(inputs);
+    if (const Source* source = std::get_if<Source>(&input.content)) return {parse_table(*source), {}};
+    if (const GridFile* grid = std::get_if<GridFile>(&input.content)) {
+        // Rows of three or four numbers, given as an array.
+        Table table;
+        table.source = input.name;
+        table.cells = Points(grid->z.nu(), static_cast<int>(grid->z.nv()));
+        table.bad.resize(grid->z.nv());
+        for (std::size_t i = 0; i < grid->z.nu(); ++i) {
+            for (std::size_t j = 0; j < grid->z.nv(); ++j) {
+                table.cells[i][j] = grid->z(i, j);
+                if (!grid->z.has(i, j) && !table.bad[j]) table.bad[j] = {i, "nan"};
+            }
+        }
+        return {std::move(table), {}};
+    }
+    return points_input(inputs);
 }
 
 SharedPoints points_of(const PointsInput& input) {

@@ -51,9 +51,15 @@ const PointsInput& points_input(std::span<const Input> inputs);
 /// The one surface of the inputs. Throws `input.kind`, `input.count`.
 const Surface& surface_input(std::span<const Input> inputs);
 
+/// The same where only a tensor product will do.
+const SplineSurface& product_input(std::span<const Input> inputs);
+
 /// The one grid of the inputs, read where it is still a file. Throws `input.kind`, `input.count`,
 /// and what parse_grid throws.
 GridFile grid_input(std::span<const Input> inputs);
+
+/// The same as rows of a table.
+PointsInput rows_input(std::span<const Input> inputs);
 
 /// The coordinates of a points input. Throws `points.not-finite`.
 SharedPoints points_of(const PointsInput& input);
@@ -95,6 +101,7 @@ Operation compare_row();
 Operation convert_row();
 Operation draw_row();
 Operation sample_row();
+Operation section_row();
 Operation fit_row();
 Operation coons_row();
 Operation fair_row();

@@ -6,7 +6,6 @@
 namespace batten::api {
 namespace {
 
-constexpr int levels_drawn = 10;
 constexpr std::size_t relief_nodes = 37;
 constexpr std::size_t front_relief_nodes = 61;
 constexpr std::size_t level_nodes = 161;  // where lines are not traced on the surface itself
@@ -27,14 +26,20 @@ Heights scaled_residuals(const Surface& surface, const GridFile& grid, double si
     return e;
 }
 
-Interval range_of_heights(const Heights& heights) {
+/// The surface as its relief shows it: denser where a front would look like a saw.
+Heights seen(const Surface& surface) {
+    const bool is_curved = std::holds_alternative<CurvedKnotSurface>(surface);
+    return sampled(surface, is_curved ? front_relief_nodes : relief_nodes);
+}
+
+std::vector<double> levels_in(const Heights& heights, int count) {
     const std::span<const double> z = heights.z.view().values();
     const auto [lo, hi] = std::minmax_element(z.begin(), z.end());
-    return {*lo, *hi};
+    return round_levels(Interval{*lo, *hi}, count);
 }
 
 Panel levels_of(const Surface& surface, const std::vector<double>& levels) {
-    const std::string caption = "S, lines of equal height";
+    const std::string caption = "lines of equal height";
     const auto* spline = std::get_if<SplineSurface>(&surface);
     if (spline && std::min(spline->x_basis().degree(), spline->y_basis().degree()) > 0) {
         return level_plot(*spline, levels, caption);
@@ -42,12 +47,14 @@ Panel levels_of(const Surface& surface, const std::vector<double>& levels) {
     return level_plot(sampled(surface, level_nodes), levels, caption);
 }
 
+Panel relief_of(const Heights& heights, const std::vector<double>& levels) {
+    return relief_plot(heights, {levels, front_relief_nodes}, "the surface");
+}
+
 Drawing fit_panels(const Surface& surface, const GridFile& grid, double sigma) {
     const std::vector<PolylineLayer> knots = knot_lines(surface);
-    const bool is_curved = std::holds_alternative<CurvedKnotSurface>(surface);
-    const std::size_t nodes = is_curved ? front_relief_nodes : relief_nodes;
-    const Heights relief = sampled(surface, nodes);
-    const std::vector<double> levels = round_levels(range_of_heights(relief), levels_drawn);
+    const Heights heights = seen(surface);
+    const std::vector<double> levels = levels_in(heights, usual_levels);
     Panel data = height_map({grid.x, grid.y, grid.z}, "data and knot lines");
     for (const PolylineLayer& lines : knots) data.add(lines);
     Drawing drawing;
@@ -55,11 +62,29 @@ Drawing fit_panels(const Surface& surface, const GridFile& grid, double sigma) {
     drawing.columns = 2;
     drawing.panels = {std::move(data), levels_of(surface, levels),
                       residual_map(scaled_residuals(surface, grid, sigma), knots, "residuals"),
-                      relief_plot(relief, {levels, nodes}, "S")};
+                      relief_of(heights, levels)};
     return drawing;
 }
 
 }  // namespace
+
+Panel surface_map(const Surface& surface, int levels) {
+    Panel map = levels_of(surface, levels_in(seen(surface), levels));
+    for (const PolylineLayer& lines : knot_lines(surface)) map.add(lines);
+    return map;
+}
+
+Panel surface_relief(const Surface& surface, int levels) {
+    const Heights heights = seen(surface);
+    return relief_of(heights, levels_in(heights, levels));
+}
+
+Drawing surface_picture(const Surface& surface, int levels) {
+    Drawing drawing;
+    drawing.width = picture_width;
+    drawing.panels = {surface_map(surface, levels), surface_relief(surface, levels)};
+    return drawing;
+}
 
 Drawing contour_map(const Rectangle& domain, const std::vector<Contour>& lines) {
     Drawing drawing;
@@ -75,7 +100,7 @@ Drawing contour_picture(const SplineSurface& surface, const std::vector<Contour>
     }
     Drawing drawing;
     drawing.width = picture_width;
-    drawing.panels = {relief_plot(sampled(surface, relief_nodes), {levels}, "the surface")};
+    drawing.panels = {relief_of(seen(surface), levels)};
     if (lines.empty()) return drawing;
     Panel map = contour_map(surface.domain(), lines).panels.front();
     map.caption = "lines of equal height";

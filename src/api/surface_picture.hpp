@@ -7,6 +7,14 @@
 
 namespace batten::api {
 
+constexpr int usual_levels = 10;
+
+/// About `levels` lines of equal height over the knot lines; and the same upon the surface.
+Panel surface_map(const Surface& surface, int levels);
+Panel surface_relief(const Surface& surface, int levels);
+/// Both.
+Drawing surface_picture(const Surface& surface, int levels);
+
 /// Level lines as a map; and the same upon the surface.
 Drawing contour_map(const Rectangle& domain, const std::vector<Contour>& lines);
 Drawing contour_picture(const SplineSurface& surface, const std::vector<Contour>& lines);

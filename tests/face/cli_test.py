@@ -747,8 +747,8 @@ class Surfaces(Folder):
                   "--draw", self.path("s.svg"))
         self.good("contour", self.path("s.json"), "--levels", "0.1,0.2", "-o",
                   self.path("c.csv"), "--draw", self.path("c.svg"))
-        for name, captions in (("s.svg", ("data and knot lines", "S, lines of equal height",
-                                          "residuals", ">S<", "residual / σ")),
+        for name, captions in (("s.svg", ("data and knot lines", "lines of equal height",
+                                          "residuals", "the surface", "residual / σ")),
                                ("c.svg", ("lines of equal height", "the surface", ">0.1<"))):
             with open(self.path(name), encoding="utf-8") as stream:
                 text = stream.read()
@@ -776,6 +776,51 @@ class Surfaces(Folder):
         for _, _, _, dx, dy, ddx, ddy in rows:
             bend = (dx * ddy - dy * ddx) / math.hypot(dx, dy) ** 3
             self.assertAlmostEqual(0.3 * bend, 1, delta=0.01)
+
+    def surface(self):
+        self.good("fit-surface", self.grid(), "--sigma", "0.01", "-o", self.path("s.json"))
+        return self.path("s.json")
+
+    def test_a_surface_is_evaluated_measured_cut_converted_and_drawn(self):
+        surface = self.surface()
+        rows = self.good("evaluate", surface, "--at", "0.7,0.4", "--derivatives", "2",
+                         "--curvature").stdout.splitlines()
+        self.assertEqual(rows[0], "x,y,z,z_x,z_y,z_xx,z_xy,z_yy,nx,ny,nz,gaussian,mean")
+        for found, known in zip(rows[1].split(","), (0.7, 0.4, 0.02, 0.2, -0.2, 2, 0, 2)):
+            self.assertAlmostEqual(float(found), known, places=9)
+        places = self.file("places.csv", "x,y\n0.7,0.4\n0.6,0.5\n")
+        self.assertEqual(self.good("evaluate", surface, "--at", places).stdout.count("\n"), 3)
+        self.assertEqual(self.good("evaluate", surface, "--count", "5").stdout.count("\n"), 26)
+        whole = self.report("evaluate", surface, "--integral", "0,1.2,0,1")["report"]
+        self.assertAlmostEqual(whole["integral"], 0.244, places=9)
+        measures = self.report("measure", surface)["report"]
+        self.assertAlmostEqual(measures["integral"], 0.244, places=9)
+        self.assertAlmostEqual(measures["gaussian_curvature"]["largest"]["value"], 4, places=6)
+        cut = self.path("cut.json")
+        self.good("section", surface, "--y", "0.5", "-o", cut)
+        self.assertAlmostEqual(
+            self.report("evaluate", cut, "--integral", "0,1.2")["report"]["integral"], 0.144,
+            places=9)
+        for form in ("json", "csv", "npy", "obj", "ply", "stl"):
+            self.good("convert", surface, "--count", "9", "-o", self.path("c." + form))
+        again = self.path("again.json")
+        self.good("fit-surface", self.path("c.csv"), "--sigma", "0.01", "-o", again)
+        patches = json.loads(self.good("convert", surface, "--format", "patches").stdout)
+        self.assertEqual(len(patches["patches"]), 1)
+        self.good("draw", surface, "--surface", "--contours", "5", "-o", self.path("picture.svg"))
+        with open(self.path("picture.svg"), encoding="utf-8") as stream:
+            self.assertIn("the surface", stream.read())
+
+    def test_a_surface_refuses_what_is_asked_of_curves(self):
+        surface = self.surface()
+        self.refused("surface.option", "evaluate", surface, "--roots")
+        self.refused("surface.option", "convert", surface, "--reverse")
+        self.refused("surface.outside", "evaluate", surface, "--at", "0.7,4")
+        self.refused("option.value", "evaluate", surface, "--at", "0.7")
+        self.refused("surface.section", "section", surface)
+        self.refused("surface.outside", "section", surface, "--x", "9")
+        self.refused("input.kind", "compare", surface, "--to", surface)
+        self.refused("input.kind", "fit", surface)
 
     def test_a_job_passes_surfaces_on(self):
         rows = [[(0.1 * i - 0.6) ** 2 + (0.1 * j - 0.5) ** 2 for j in range(11)] for i in range(13)]

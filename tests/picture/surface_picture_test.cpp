@@ -134,10 +134,12 @@ TEST(Picture, OfContoursShowsThemAsAMapAndUponTheSurface) {
 
 TEST(Gnuplot, IsToldReliefsAndMaps) {
     const std::string script = gnuplot_script(
-        of({relief_plot(hills(5, 5), {}, "relief"), residual_map(hills(5, 5), {}, "map")}),
+        of({relief_plot(hills(5, 5), {}, "relief"), residual_map(hills(5, 5), {}, "map"),
+            level_plot(hills(9, 9), {90}, "levels")}),
         ChartFormat::png);
     for (const char* const words : {"splot $d0_0 with pm3d", "set cbrange [-",
-                                    "boxxyerror", "set cblabel \"residual / σ\""}) {
+                                    "boxxyerror", "set label \"90\" at ",
+                                    "set cblabel \"residual / σ\""}) {
         EXPECT_NE(script.find(words), std::string::npos) << words;
     }
 }

@@ -69,6 +69,12 @@ struct AutoNumber {
     bool operator==(const AutoNumber&) const = default;
 };
 
+/// Numbers, or places: rows of coordinates, one after another.
+struct Coordinates {
+    std::vector<double> numbers;
+    bool operator==(const Coordinates&) const = default;
+};
+
 /// The tangent direction at one point: `index` from 0, absolute angle.
 struct FixedTangent {
     int index = 0;

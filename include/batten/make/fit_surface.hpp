@@ -34,7 +34,8 @@ struct SurfaceFit {
 /// from mixed second differences (then the criteria are those for unknown sigma).
 /// Status `rank_deficient` where a hole in the data leaves a coefficient without a node: it is
 /// continued smoothly. `not_met` where a target (distribution, chi2, delta2) was not reached;
-/// `not_converged` where conjugate gradients stopped early.
+/// `not_converged` where conjugate gradients, or free knot
+/// lines, stopped early.
 ///
 /// Laws:   (1) z and sigma x 2^k give the same knots and path, and coefficients x 2^k, exactly
 ///         (2) x or y x 2^k gives the same coefficients, knots x 2^k, exactly

@@ -16,13 +16,15 @@ enum class SurfaceKnots {
     automatic,  ///< one at a time, in the middle of the strip that fits worst
     equal,      ///< strips of equal width
     given,      ///< `x_knots` and `y_knots`
+    free,       ///< automatic, equal where `intervals` are given, or given; then moved
     curved,     ///< a bundle along a front: for `fit_front`
 };
 
-constexpr std::array<Named<SurfaceKnots>, 4> names_of(SurfaceKnots) {
+constexpr std::array<Named<SurfaceKnots>, 5> names_of(SurfaceKnots) {
     return {{{"auto", SurfaceKnots::automatic},
              {"equal", SurfaceKnots::equal},
              {"given", SurfaceKnots::given},
+             {"free", SurfaceKnots::free},
              {"curved", SurfaceKnots::curved}}};
 }
 

@@ -6,6 +6,7 @@
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
 #include "make/fit_surface/lattice.hpp"
+#include "make/fit_surface/moved_lines.hpp"
 
 namespace batten::surface_fitting {
 namespace {
@@ -34,11 +35,10 @@ double criterion_of(StopRule rule, const SurfaceStep& step) {
 }
 
 SurfaceStep step_of(const Lattice& lattice) {
-    const Nodes& nodes = lattice.nodes();
     const Misfit& misfit = lattice.misfit();
     const FitCriteria c =
-        fit_criteria(misfit.delta2, nodes.count, lattice.parameters(),
-                     nodes.sigma_known ? SigmaKnowledge::known : SigmaKnowledge::unknown);
+        fit_criteria(misfit.delta2, lattice.samples(), lattice.parameters(),
+                     lattice.knows_sigma() ? SigmaKnowledge::known : SigmaKnowledge::unknown);
     SurfaceStep step;
     step.intervals = {lattice.x_strips(), lattice.y_strips()};
     step.parameters = lattice.parameters();
@@ -82,7 +82,7 @@ private:
     double value(std::size_t i) const { return criterion_of(target_.rule, steps_[i]); }
 
     bool wants_more(const SurfaceStep& step) {
-        const std::size_t count = lattice_.nodes().count;
+        const std::size_t count = lattice_.samples();
         if (target_.exactly[0] > 0) {
             is_met_ = step.intervals == target_.exactly;
             return !is_met_;
@@ -106,9 +106,9 @@ private:
             best_strips_ = step.intervals[0] + step.intervals[1];
         }
         // Where delta2 enters by its logarithm, interpolation would always win.
-        const bool is_bounded = target_.rule == StopRule::bic && lattice_.nodes().sigma_known;
+        const bool is_bounded = target_.rule == StopRule::bic && lattice_.knows_sigma();
         const std::size_t twice = 2 * static_cast<std::size_t>(step.parameters);
-        if (!is_bounded && twice > lattice_.nodes().count) return false;
+        if (!is_bounded && twice > lattice_.samples()) return false;
         return step.intervals[0] + step.intervals[1] < std::max(least_strips, 2 * best_strips_);
     }
 
@@ -126,7 +126,7 @@ SurfaceChoice insert_lines(Lattice& lattice, const Target& target) {
     while (search.step_wants_more()) {
         const std::optional<Lattice::Strip> strip = lattice.worst(target.exactly);
         const std::size_t next = static_cast<std::size_t>(lattice.parameters());
-        if (!strip || next >= lattice.nodes().count) break;
+        if (!strip || next >= lattice.samples()) break;
         lattice.split(*strip);
     }
     return search.finish();
@@ -154,12 +154,12 @@ SurfaceChoice equal_lines(Lattice& lattice, const Target& target) {
 }
 
 /// The full vector from knots as given: interior ones, or the ends too.
-std::vector<double> given_knots(std::span<const double> given, std::span<const double> lines,
+std::vector<double> given_knots(std::span<const double> given, Interval range,
                                 int degree, const char* name) {
     std::vector<double> inside;
     for (std::size_t i = 0; i < given.size(); ++i) {
-        const bool is_end = given[i] == lines.front() || given[i] == lines.back();
-        const bool is_inside = lines.front() < given[i] && given[i] < lines.back();
+        const bool is_end = given[i] == range.lo || given[i] == range.hi;
+        const bool is_inside = range.lo < given[i] && given[i] < range.hi;
         const bool rises = i == 0 || given[i - 1] <= given[i];
         if (!rises || !(is_end || is_inside)) {
             throw Error("fit.knots", std::string(name) + ' ' + std::to_string(i),
@@ -174,9 +174,9 @@ std::vector<double> given_knots(std::span<const double> given, std::span<const d
         throw Error("fit.knots", name, format_number(inside[i]),
                     "a knot line is repeated at most " + std::to_string(most) + " times");
     }
-    std::vector<double> knots(static_cast<std::size_t>(degree) + 1, lines.front());
+    std::vector<double> knots(static_cast<std::size_t>(degree) + 1, range.lo);
     knots.insert(knots.end(), inside.begin(), inside.end());
-    knots.insert(knots.end(), static_cast<std::size_t>(degree) + 1, lines.back());
+    knots.insert(knots.end(), static_cast<std::size_t>(degree) + 1, range.hi);
     return knots;
 }
 
@@ -213,6 +213,32 @@ void require_surface_options(const FitSurfaceOptions& options) {
     }
 }
 
+bool has_given_lines(const FitSurfaceOptions& options) {
+    return !options.x_knots.empty() || !options.y_knots.empty() ||
+           options.knots == SurfaceKnots::given;
+}
+
+Interval ends_of(std::span<const double> lines) { return {lines.front(), lines.back()}; }
+
+SurfaceChoice searched_lines(Lattice& lattice, const FitSurfaceOptions& options,
+                             const Target& target) {
+    const bool is_even = options.knots == SurfaceKnots::equal ||
+                         (options.knots == SurfaceKnots::free && !options.intervals.empty());
+    return is_even ? equal_lines(lattice, target) : insert_lines(lattice, target);
+}
+
+SurfaceChoice moved_where_free(const Nodes& nodes, const FitSurfaceOptions& options,
+                               SurfaceChoice choice) {
+    if (options.knots != SurfaceKnots::free) return choice;
+    MovedLines moved = move_lines(nodes, std::move(choice.x_knots), std::move(choice.y_knots),
+                                  options.degree);
+    choice.x_knots = std::move(moved.x_knots);
+    choice.y_knots = std::move(moved.y_knots);
+    choice.moved = moved.moved;
+    choice.is_converged = moved.is_converged;
+    return choice;
+}
+
 }  // namespace
 
 std::vector<double> clamped_knots(std::span<const double> breaks, int degree) {
@@ -225,16 +251,36 @@ std::vector<double> clamped_knots(std::span<const double> breaks, int degree) {
 SurfaceChoice choose_lines(const Nodes& nodes, const FitSurfaceOptions& options) {
     require_surface_options(options);
     const Target target = target_of(options);
-    const bool has_lines = !options.x_knots.empty() || !options.y_knots.empty();
-    SurfaceChoice choice;
-    if (has_lines || options.knots == SurfaceKnots::given) {
-        choice.x_knots = given_knots(options.x_knots, nodes.x, options.degree, "x_knots");
-        choice.y_knots = given_knots(options.y_knots, nodes.y, options.degree, "y_knots");
-        return choice;
+    if (has_given_lines(options)) {
+        SurfaceChoice choice;
+        choice.x_knots = given_knots(options.x_knots, ends_of(nodes.x), options.degree, "x_knots");
+        choice.y_knots = given_knots(options.y_knots, ends_of(nodes.y), options.degree, "y_knots");
+        return moved_where_free(nodes, options, std::move(choice));
     }
     Lattice lattice(nodes, options.degree, options.rule);
-    return options.knots == SurfaceKnots::equal ? equal_lines(lattice, target)
-                                                : insert_lines(lattice, target);
+    return moved_where_free(nodes, options, searched_lines(lattice, options, target));
+}
+
+SurfaceChoice choose_lines(const Cloud& cloud, const FitSurfaceOptions& options) {
+    require_surface_options(options);
+    const Target target = target_of(options);
+    if (options.knots == SurfaceKnots::free) {
+        throw Error("fit.options", "knots", "free", "knot lines are moved on grids only");
+    }
+    const bool needs_errors = options.stop == StopRule::distribution ||
+                              options.stop == StopRule::chi2;
+    if (needs_errors && !cloud.sigma_known) {
+        throw Error("fit.options", "stop", std::string(name_of(options.stop)),
+                    "this rule needs the errors of the heights");
+    }
+    if (has_given_lines(options)) {
+        SurfaceChoice choice;
+        choice.x_knots = given_knots(options.x_knots, cloud.domain.x, options.degree, "x_knots");
+        choice.y_knots = given_knots(options.y_knots, cloud.domain.y, options.degree, "y_knots");
+        return choice;
+    }
+    Lattice lattice(cloud, options.degree, options.rule);
+    return searched_lines(lattice, options, target);
 }
 
 }  // namespace batten::surface_fitting

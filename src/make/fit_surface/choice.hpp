@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "make/fit_surface/cloud.hpp"
 #include "make/fit_surface/nodes.hpp"
 
 namespace batten::surface_fitting {
@@ -14,10 +15,12 @@ struct SurfaceChoice {
     std::vector<std::string> notes;
     int moved = 0;  ///< knot lines whose places were optimised
     bool is_met = true;
+    bool is_converged = true;
 };
 
 /// Throws `fit.options`, `fit.knots`, `fit.intervals`, `fit.distribution`, `fit.too-few`.
 SurfaceChoice choose_lines(const Nodes& nodes, const FitSurfaceOptions& options);
+SurfaceChoice choose_lines(const Cloud& cloud, const FitSurfaceOptions& options);
 
 /// `degree + 1` times the ends, the interior knots between.
 std::vector<double> clamped_knots(std::span<const double> breaks, int degree);

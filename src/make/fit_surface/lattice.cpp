@@ -6,19 +6,37 @@
 namespace batten::surface_fitting {
 namespace {
 
-std::vector<double> equal_strips(std::span<const double> lines, int strips) {
-    return even_places({lines.front(), lines.back()}, static_cast<std::size_t>(strips) + 1);
+std::vector<double> equal_strips(Interval range, int strips) {
+    return even_places(range, static_cast<std::size_t>(strips) + 1);
+}
+
+std::vector<double> distinct(std::span<const double> values) {
+    std::vector<double> sorted(values.begin(), values.end());
+    std::sort(sorted.begin(), sorted.end());
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+    return sorted;
 }
 
 }  // namespace
 
 Lattice::Lattice(const Nodes& nodes, int degree, StripRule rule)
-    : nodes_(&nodes), degree_(degree), rule_(rule), used_x_(nodes.used_x()),
-      used_y_(nodes.used_y()) {
-    set({nodes.x.front(), nodes.x.back()}, {nodes.y.front(), nodes.y.back()});
+    : nodes_(&nodes), domain_{{nodes.x.front(), nodes.x.back()}, {nodes.y.front(), nodes.y.back()}},
+      degree_(degree), rule_(rule), used_x_(nodes.used_x()), used_y_(nodes.used_y()) {
+    set({domain_.x.lo, domain_.x.hi}, {domain_.y.lo, domain_.y.hi});
+}
+
+Lattice::Lattice(const Cloud& cloud, int degree, StripRule rule)
+    : cloud_(&cloud), domain_(cloud.domain), degree_(degree), rule_(rule),
+      used_x_(distinct(cloud.x)), used_y_(distinct(cloud.y)) {
+    set({domain_.x.lo, domain_.x.hi}, {domain_.y.lo, domain_.y.hi});
 }
 
 void Lattice::set(std::vector<double> x_breaks, std::vector<double> y_breaks) {
+    if (cloud_) {
+        x_breaks_ = std::move(x_breaks);
+        y_breaks_ = std::move(y_breaks);
+        return;
+    }
     if (x_breaks != x_breaks_) {
         x_breaks_ = std::move(x_breaks);
         x_ = std::make_unique<Axis>(basis_over(x_breaks_, degree_), nodes_->x, nodes_->x_weight,
@@ -32,6 +50,13 @@ void Lattice::set(std::vector<double> x_breaks, std::vector<double> y_breaks) {
 }
 
 void Lattice::refit() {
+    if (cloud_) {
+        CloudFit fit = fit_cloud(*cloud_, basis_over(x_breaks_, degree_),
+                                 basis_over(y_breaks_, degree_), rule_);
+        solution_ = std::move(fit.solution);
+        misfit_ = std::move(fit.misfit);
+        return;
+    }
     solution_ = solve(*nodes_, *x_, *y_, Corrected::no);
     misfit_ = surface_fitting::misfit(*nodes_, *x_, *y_, solution_.coefficients, rule_);
 }
@@ -75,8 +100,8 @@ void Lattice::split(Strip strip) {
 }
 
 bool Lattice::set_equal(int x_strips, int y_strips) {
-    std::vector<double> x = equal_strips(nodes_->x, x_strips);
-    std::vector<double> y = equal_strips(nodes_->y, y_strips);
+    std::vector<double> x = equal_strips(domain_.x, x_strips);
+    std::vector<double> y = equal_strips(domain_.y, y_strips);
     if (!is_determined(basis_over(x, degree_), used_x_) ||
         !is_determined(basis_over(y, degree_), used_y_)) {
         return false;

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "make/fit_surface/cloud.hpp"
 #include "make/fit_surface/solve.hpp"
 
 namespace batten::surface_fitting {
@@ -11,9 +12,11 @@ namespace batten::surface_fitting {
 class Lattice {
 public:
     Lattice(const Nodes& nodes, int degree, StripRule rule);
+    Lattice(const Cloud& cloud, int degree, StripRule rule);
 
     int degree() const { return degree_; }
-    const Nodes& nodes() const { return *nodes_; }
+    std::size_t samples() const { return nodes_ ? nodes_->count : cloud_->count(); }
+    bool knows_sigma() const { return nodes_ ? nodes_->sigma_known : cloud_->sigma_known; }
     const std::vector<double>& x_breaks() const { return x_breaks_; }
     const std::vector<double>& y_breaks() const { return y_breaks_; }
     int x_strips() const { return static_cast<int>(x_breaks_.size()) - 1; }
@@ -45,7 +48,9 @@ private:
                    const std::vector<double>& used) const;
     void set(std::vector<double> x_breaks, std::vector<double> y_breaks);
 
-    const Nodes* nodes_;
+    const Nodes* nodes_ = nullptr;  ///< either these or the cloud
+    const Cloud* cloud_ = nullptr;
+    Rectangle domain_;
     int degree_;
     StripRule rule_;
     std::vector<double> used_x_, used_y_, x_breaks_, y_breaks_;

@@ -180,9 +180,37 @@ bool can_splot(const Layer& layer) {
 
 /// The axes of a panel in space, seen from where `svg` sees it.
 std::string space_axes(const Panel& panel) {
-    return "unset colorbox\nset zlabel " + quoted(panel.z_label) +
+    return "unset colorbox\nunset label\nset zlabel " + quoted(panel.z_label) +
            "\nset view 55,45\nset xyplane 0\nset pm3d depthorder lighting\nset hidden3d\n" +
            (panel.kind == PanelKind::geometry ? "set view equal xyz\n" : "set view noequal\n");
+}
+
+/// What is written upon lines in the plane, each somewhere else along its line: lines around one
+/// hill would have their middles beside one another.
+std::string labels_of(const ReadyPanel& ready) {
+    constexpr double golden = 0.381966;
+    std::string text = "unset label\n";
+    double share = 0.5;
+    const auto write = [&](double x, double y, const std::string& label) {
+        text += "set label " + quoted(label) + " at " + format_number(x) + ',' + format_number(y) +
+                " center front font \",9\"\n";
+        share = std::fmod(share + golden, 1);
+    };
+    for (const ReadyLayer& layer : ready.layers) {
+        if (const auto* curve = std::get_if<CurveLayer>(layer.layer)) {
+            if (curve->label.empty()) continue;
+            const Interval domain = curve->curve.domain();
+            const Spot at = spot_on(curve->curve, domain.lo + share * domain.length());
+            write(at[0], at[1], curve->label);
+        }
+        if (const auto* lines = std::get_if<PolylineLayer>(layer.layer)) {
+            if (lines->label.empty() || lines->runs.empty()) continue;
+            const Points& run = lines->runs.front();
+            const std::size_t at = static_cast<std::size_t>(share * static_cast<double>(run.size()));
+            write(run(at, 0), run(at, 1), lines->label);
+        }
+    }
+    return text;
 }
 
 std::string panel_script(const ReadyPanel& ready, std::size_t index, std::set<std::string>& named) {
@@ -195,7 +223,7 @@ std::string panel_script(const ReadyPanel& ready, std::size_t index, std::set<st
     text += range_of("y", ready.box.sides[1], ready.is_log[1]);
     text += !is_space && panel.kind == PanelKind::geometry ? "set size ratio -1\n"
                                                           : "set size noratio\n";
-    text += is_space ? space_axes(panel) : palette_of(ready);
+    text += is_space ? space_axes(panel) : palette_of(ready) + labels_of(ready);
     std::string plots;
     for (std::size_t i = 0; i < ready.layers.size(); ++i) {
         const ReadyLayer& layer = ready.layers[i];
