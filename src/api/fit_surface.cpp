@@ -1,10 +1,13 @@
 #include "batten/make/fit_surface.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "api/row.hpp"
 #include "api/surface_picture.hpp"
 #include "api/surface_values.hpp"
+#include "batten/base/text.hpp"
 #include "batten/io/grid_file.hpp"
 #include "batten/io/surface_file.hpp"
 #include "batten/make/fit_front.hpp"
@@ -17,6 +20,7 @@ namespace {
 struct SurfaceRequest {
     std::vector<double> x, y;
     bool scattered = false;
+    Points lines{0, 1};
     FitSurfaceOptions fit;
 };
 
@@ -27,6 +31,8 @@ void visit_fields(Options& o, Visit&& visit) {
     visit("y", o.y, anything, "places of the grid's lines in y");
     visit("scattered", o.scattered, anything,
           "rows x,y,z[,sigma] in any places, not on a grid");
+    visit("lines", o.lines, anything,
+          "rows y,X1,X2,...: curved knot lines x = X(y) that are given");
     visit_fields(o.fit, visit);
 }
 
@@ -39,16 +45,46 @@ void take_lines(std::vector<double>& lines, const std::vector<double>& given, co
     lines = given;
 }
 
+Outcome curved_outcome(const CurvedKnotSurface& surface, const FrontReport& report,
+                       const GridFile& grid, std::optional<double> sigma) {
+    // Where no error is known, that of the fit is its own mean.
+    const double error = sigma.value_or(std::sqrt(report.sigma2));
+    return {Surface(surface), report.status, {}, report_value(report),
+            [surface, grid, error] { return curved_fit_picture(surface, grid, error); },
+            surface_forms(Surface(surface), grid.x, grid.y)};
+}
+
+/// Strips across given lines, where nothing else is asked for.
+constexpr int usual_strips = 3;
+
+Outcome run_lines(const GridFile& grid, const SurfaceRequest& request) {
+    const std::vector<double>& n = request.fit.intervals;
+    if (n.size() > 1) {
+        throw Error("fit.options", "intervals", "two numbers",
+                    "with given lines one number tells the strips in y");
+    }
+    const LinesFit made =
+        fit_with_lines({grid.x, grid.y, grid.z, {}, {}, grid.sigma}, lines_through(request.lines),
+                       n.empty() ? usual_strips : static_cast<int>(n[0]), request.fit.sigma);
+    return curved_outcome(made.surface, made.report, grid, request.fit.sigma);
+}
+
+Outcome tensor_outcome(SurfaceFit made, const GridFile& grid) {
+    made.report.notes.insert(made.report.notes.begin(), grid.notes.begin(), grid.notes.end());
+    return {Surface(made.surface), made.report.status, {}, report_value(made.report),
+            [made, grid] { return surface_fit_picture(made, grid); },
+            surface_forms(Surface(made.surface), grid.x, grid.y)};
+}
+
 Outcome run_curved(const GridFile& grid, const FitSurfaceOptions& options) {
     FitFrontOptions front;
     front.sigma = options.sigma;
-    const FrontFit made = fit_front({grid.x, grid.y, grid.z, {}, {}, grid.sigma}, front);
-    return {Surface(made.surface),
-            made.report.status,
-            {},
-            report_value(made.report),
-            [made, grid, sigma = options.sigma] { return front_picture(made, grid, sigma); },
-            surface_forms(Surface(made.surface), grid.x, grid.y)};
+    FrontFit made = fit_front({grid.x, grid.y, grid.z, {}, {}, grid.sigma}, front);
+    if (made.report.has_front) return curved_outcome(made.surface, made.report, grid, options.sigma);
+    made.tensor.report.notes.push_back(
+        "no front is seen: bic is " + format_number(made.report.tensor_bic) +
+        " with straight knot lines, " + format_number(made.report.bic) + " with curved ones");
+    return tensor_outcome(std::move(made.tensor), grid);
 }
 
 /// The column of one of these names, else the `place`-th.
@@ -94,15 +130,9 @@ Outcome run(std::span<const Input> inputs, const SurfaceRequest& request) {
     FitSurfaceOptions options = request.fit;
     // An error typed counts for all nodes, whatever the file says.
     if (options.sigma) grid.sigma.clear();
+    if (!request.lines.empty()) return run_lines(grid, request);
     if (options.knots == SurfaceKnots::curved) return run_curved(grid, options);
-    SurfaceFit made = fit_surface({grid.x, grid.y, grid.z, {}, {}, grid.sigma}, options);
-    made.report.notes.insert(made.report.notes.begin(), grid.notes.begin(), grid.notes.end());
-    return {Surface(made.surface),
-            made.report.status,
-            {},
-            report_value(made.report),
-            [made, grid] { return surface_fit_picture(made, grid); },
-            surface_forms(Surface(made.surface), grid.x, grid.y)};
+    return tensor_outcome(fit_surface({grid.x, grid.y, grid.z, {}, {}, grid.sigma}, options), grid);
 }
 
 }  // namespace

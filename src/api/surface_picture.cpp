@@ -112,9 +112,8 @@ Drawing surface_fit_picture(const SurfaceFit& fit, const GridFile& grid) {
     return fit_panels(fit.surface, grid, fit.report.sigma.value_or(1));
 }
 
-Drawing front_picture(const FrontFit& fit, const GridFile& grid, std::optional<double> sigma) {
-    // Where no error is known, that of the fit is its own mean.
-    return fit_panels(fit.surface, grid, sigma.value_or(std::sqrt(fit.report.sigma2)));
+Drawing curved_fit_picture(const CurvedKnotSurface& surface, const GridFile& grid, double sigma) {
+    return fit_panels(surface, grid, sigma);
 }
 
 }  // namespace batten::api

@@ -21,7 +21,6 @@ Drawing contour_picture(const SplineSurface& surface, const std::vector<Contour>
 
 /// Four panels: the data under the knot lines, level lines, the surface in space, residuals.
 Drawing surface_fit_picture(const SurfaceFit& fit, const GridFile& grid);
-/// `sigma` is the error asked for, if any.
-Drawing front_picture(const FrontFit& fit, const GridFile& grid, std::optional<double> sigma);
+Drawing curved_fit_picture(const CurvedKnotSurface& surface, const GridFile& grid, double sigma);
 
 }  // namespace batten::api

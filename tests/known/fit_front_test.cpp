@@ -1,3 +1,4 @@
+#include "batten/base/error.hpp"
 #include "batten/make/fit_front.hpp"
 #include "surface_samples.hpp"
 
@@ -52,7 +53,8 @@ TEST(Front, NeedsEightyParametersWhereATensorProductNeedsThousands) {
     const SurfaceTable table = surface_table("scintillator_like");
     FitFrontOptions options;
     options.sigma = 0.01;
-    const FrontReport r = fit_front(table.view(), options).report;
+    const FrontFit made = fit_front(table.view(), options);
+    const FrontReport& r = made.report;
     EXPECT_LE(r.sigma2, 1.15);
     EXPECT_LE(r.parameters + r.line_parameters, 80);
     EXPECT_TRUE(r.has_front);
@@ -71,6 +73,48 @@ TEST(Front, IsTrueBetweenTheNodesUnderNoise) {
 TEST(Front, ThatIsAJumpLeavesWhatTheTruthLeaves) {
     const Trial jump = trial(0.0005, 0.01);
     EXPECT_LE(jump.fit.report.sigma2, jump.noise_sigma2 + 0.04);
+}
+
+TEST(Front, MayRunInEitherDirection) {
+    const auto lying = [](double x, double y) { return plains(y, x, 0.01); };
+    const SurfaceTable table = surface_of(lying, 25, 90, 0.02, 6);
+    FitFrontOptions options;
+    options.sigma = 0.02;
+    const FrontFit made = fit_front(table.view(), options);
+    EXPECT_TRUE(made.report.has_front);
+    EXPECT_EQ(made.report.front, FrontRuns::across_columns);
+    EXPECT_LE(made.report.sigma2, 1.15);
+    double sum = 0;
+    for (int i = 0; i < 100; ++i) {
+        for (int j = 0; j < 100; ++j) {
+            const double x = (i + 0.5) / 100, y = (j + 0.5) / 100;
+            sum += std::pow(made.surface(x, y) - lying(x, y), 2) / 1e4;
+        }
+    }
+    EXPECT_LE(std::sqrt(sum), 0.01);
+}
+
+TEST(Front, TakesLinesThatAreGiven) {
+    const auto truth = [](double x, double y) { return plains(x, y, 0.02); };
+    const SurfaceTable table = surface_of(truth, 120, 21, 0.01, 5);
+    Points rows(0, 8);
+    for (int k = 0; k <= 12; ++k) {
+        const double y = k / 12.0, phi = front_of(y);
+        rows.push_back(std::array{y, phi - 0.08, phi - 0.03, phi - 0.012, phi, phi + 0.012,
+                                  phi + 0.03, phi + 0.08});
+    }
+    const std::vector<SplineFunction> lines = lines_through(rows);
+    ASSERT_EQ(lines.size(), 7u);
+    for (const double y : {0.1, 0.33, 0.8}) EXPECT_NEAR(lines[3](y), front_of(y), 2e-4);
+    const LinesFit made = fit_with_lines(table.view(), lines, 3, 0.01);
+    EXPECT_EQ(made.report.line_parameters, 0);
+    EXPECT_EQ(made.report.parameters, 11 * 6);
+    EXPECT_LE(made.report.sigma2, 1.2);
+    rows(3, 2) = 0.99;
+    EXPECT_THROW(fit_with_lines(table.view(), lines_through(rows), 3, 0.01), Error);
+    Points constants(0, 3);
+    constants.push_back(std::array{0.0, 0.4, 0.6});
+    EXPECT_THROW(lines_through(constants), Error);
 }
 
 TEST(Front, IsNotSeenWhereThereIsNone) {

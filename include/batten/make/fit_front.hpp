@@ -2,9 +2,12 @@
 
 #include <array>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "batten/base/fields.hpp"
+#include "batten/base/points.hpp"
 #include "batten/make/fit_surface.hpp"
 #include "batten/shape/curved_knot_surface.hpp"
 
@@ -12,16 +15,21 @@ namespace batten {
 
 /// What to try for a surface with a front or a jump along one curve x = phi(y).
 struct FitFrontOptions {
-    int most_lines = 5;       ///< knot lines that follow the front; 4 can make a jump
-    int front_intervals = 3;  ///< of the cubic spline phi
-    int y_strips = 3;         ///< straight knot lines across
     std::optional<double> sigma;
     int most_steps = 60;      ///< of a descent
 };
 
+/// Which way a front runs: from the lowest y to the highest, x = phi(y), or the other way round.
+enum class FrontRuns { across_rows, across_columns };
+
+constexpr std::array<Named<FrontRuns>, 2> names_of(FrontRuns) {
+    return {{{"x(y)", FrontRuns::across_rows}, {"y(x)", FrontRuns::across_columns}}};
+}
+
 struct FrontReport {
     bool has_front = false;   ///< the criterion prefers the curved lines to a tensor product
     bool is_jump = false;     ///< the lines were run together: the surface is not continuous
+    FrontRuns front = FrontRuns::across_rows;
     std::array<int, 2> intervals{};
     int parameters = 0;       ///< coefficients
     int line_parameters = 0;  ///< moved: those of phi, gaps, lines beside
@@ -31,6 +39,7 @@ struct FrontReport {
     double tensor_bic = 0;    ///< of the automatic tensor product
     std::vector<std::vector<double>> lines;  ///< coefficients of the curved ones
     int steps = 0;
+    std::vector<std::string> notes;
     Status status = Status::met;
 };
 
@@ -38,6 +47,7 @@ template <class Visit>
 void visit_fields(const FrontReport& r, Visit&& visit) {
     visit("has_front", r.has_front, "whether the criterion prefers curved lines to straight ones");
     visit("is_jump", r.is_jump, "whether the surface is not continuous across the front");
+    visit("front", r.front, "which coordinate of the front is a function of the other");
     visit("intervals", r.intervals, "numbers of strips in x and y");
     visit("parameters", r.parameters, "p: number of coefficients");
     visit("parameters_charged", r.parameters + r.line_parameters, "p and those of the lines");
@@ -48,24 +58,51 @@ void visit_fields(const FrontReport& r, Visit&& visit) {
     visit("lines", r.lines, "coefficients of every curved line, a cubic spline of y over equal "
                             "intervals");
     visit("steps", r.steps, "steps of the descent that won");
+    visit("notes", r.notes, "what else there is to say");
 }
 
 struct FrontFit {
     CurvedKnotSurface surface;
     FrontReport report;
+    SurfaceFit tensor;  ///< the automatic tensor product
 };
 
 /// The surface with a bundle of knot lines phi(y) + offset along its steepest path, one more line
 /// on each side of it, and straight lines of constant y; lines and coefficients of the least
 /// delta2 found from a narrow and from a wide bundle. Cubic.
 ///
-/// Scope: one front, crossing all rows, one x for every y. `has_front` says whether bic prefers it
-/// to the tensor product of `fit_surface`; the front's surface is returned in either case.
+/// The numbers of lines along the front, of intervals of phi and of strips across are those of the
+/// least bic, one at a time more or less; so is the direction in which the front runs. At first at
+/// most 5 lines and 3 intervals and strips; only where delta2 / (N - p) stays above 1.15 up to 6
+/// lines and 4, 6, 8 intervals.
+///
+/// Scope: one front, crossing all rows (or all columns), one x for every y (or one y for every x).
+/// `has_front` says whether bic prefers a bundle of 4 or 5 lines, 3 intervals and 3 strips to the
+/// tensor product of `fit_surface`, which is returned as well; only then other numbers are tried.
 /// Status `not_converged` where a descent stopped at `most_steps`.
 /// Cost:   some milliseconds a step for 3,000 nodes.
 /// Throws: what fit_surface throws about samples; `fit.too-few` below 8 lines in x or 4 in y.
 /// Source: variable projection [GolubPereyra1973], Kaufman's form; the derivative by a knot as in
 /// docs/surfaces.md.
 FrontFit fit_front(const SurfaceSamples& samples, const FitFrontOptions& options = {});
+
+/// A surface whose curved knot lines are given.
+struct LinesFit {
+    CurvedKnotSurface surface;
+    FrontReport report;  ///< has_front and tensor_bic are not asked
+};
+
+/// The best coefficients for given lines x = X_i(y), which do not cross in the domain and cover it,
+/// and `y_strips` equal strips across. Cubic.
+///
+/// Throws: what fit_surface throws about samples; `surface.lines` where lines cross or leave the
+///         domain; `fit.too-few`; `number.overflow`.
+LinesFit fit_with_lines(const SurfaceSamples& samples, std::span<const SplineFunction> lines,
+                        int y_strips, std::optional<double> sigma);
+
+/// Cubic splines through rows y, X_1, X_2, …: not-a-knot (two or three rows: the
+/// polynomial). Throws `surface.lines` unless y rises over two rows or more and there is
+/// a line.
+std::vector<SplineFunction> lines_through(const Points& rows);
 
 }  // namespace batten

@@ -16,6 +16,7 @@ using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
 constexpr int order = 4;
+constexpr std::size_t most_knots = 32;  // of a bundle: 6 lines, 2 beside, the ends
 constexpr double least_room = 1e-9;  // of the domain, between lines and to the border
 /// Ties between neighbouring coefficients, of the largest diagonal: for those without data.
 constexpr double tie = 1e-11;
@@ -41,14 +42,15 @@ std::size_t span_in(const std::vector<double>& knots, double x) {
 
 /// dS/dt_l at x for a spline with coefficients c over `knots`: see docs/surfaces.md.
 double knot_slope(const std::vector<double>& knots, const double* c, std::size_t l, double x) {
-    std::vector<double> longer = knots;
-    longer.insert(longer.begin() + static_cast<std::ptrdiff_t>(l), knots[l]);
-    const auto inside = longer.begin() + order;
-    const std::size_t span =
-        static_cast<std::size_t>(std::upper_bound(inside, longer.end() - order, x) -
-                                 longer.begin()) - 1;
+    if (x < knots[l + 1 - order] || x > knots[l + order - 1]) return 0;
+    double longer[most_knots];
+    const std::size_t count = knots.size() + 1;
+    std::copy_n(knots.begin(), l + 1, longer);
+    std::copy(knots.begin() + static_cast<std::ptrdiff_t>(l), knots.end(), longer + l + 1);
+    const std::size_t span = static_cast<std::size_t>(
+        std::upper_bound(longer + order, longer + count - order, x) - longer) - 1;
     double values[order];
-    num::basis_values(longer, span, order, x, values);
+    num::basis_values({longer, count}, span, order, x, values);
     double sum = 0;
     for (std::size_t j = 0; j < order; ++j) {
         const std::size_t i = span + 1 - order + j;
@@ -237,7 +239,22 @@ std::vector<double> offsets_of(const FrontShape& shape, const std::vector<double
 
 }  // namespace
 
+/// Given lines: in order, or on top of each other.
+LinesAt standing_lines(const FrontShape& shape, double y) {
+    LinesAt at;
+    const Interval x = shape.domain.x;
+    const double room = least_room * x.length();
+    double before = x.lo + room;
+    for (const SplineFunction& line : shape.given) {
+        at.x.push_back(line(y));
+        at.is_inside = at.is_inside && before <= at.x.back() && at.x.back() <= x.hi - room;
+        before = at.x.back();
+    }
+    return at;
+}
+
 LinesAt lines_at(const FrontShape& shape, const std::vector<double>& theta, double y) {
+    if (!shape.given.empty()) return standing_lines(shape, y);
     const BSplineBasis basis = even_basis(shape.domain.y, shape.front_intervals);
     double values[order];
     basis.nonzero(y, 0, values);
@@ -287,6 +304,16 @@ FrontState front_state(const Nodes& nodes, const FrontShape& shape,
 
 CurvedKnotSurface front_surface(const FrontShape& shape, const std::vector<double>& theta,
                                 const std::vector<double>& coefficients) {
+    std::vector<SplineFunction> y_lines;
+    const std::vector<double> breaks =
+        even_places(shape.domain.y, static_cast<std::size_t>(shape.y_strips) + 1);
+    for (std::size_t j = 1; j + 1 < breaks.size(); ++j) {
+        y_lines.emplace_back(std::vector<double>{shape.domain.x.lo, shape.domain.x.hi},
+                             std::vector<double>{breaks[j]}, 0);
+    }
+    if (!shape.given.empty()) {
+        return {3, shape.domain, shape.given, std::move(y_lines), coefficients};
+    }
     const BSplineBasis basis = even_basis(shape.domain.y, shape.front_intervals);
     const std::vector<double> knots(basis.knots().begin(), basis.knots().end());
     const std::vector<double> phi(theta.begin(), theta.begin() + shape.front_values());
@@ -301,13 +328,6 @@ CurvedKnotSurface front_surface(const FrontShape& shape, const std::vector<doubl
         line(offsets.front(), logistic(theta[n - 2]), shape.domain.x.lo)};
     for (const double offset : offsets) x_lines.push_back(line(offset, 1, 0));
     x_lines.push_back(line(offsets.back(), 1 - logistic(theta[n - 1]), shape.domain.x.hi));
-    std::vector<SplineFunction> y_lines;
-    const std::vector<double> breaks =
-        even_places(shape.domain.y, static_cast<std::size_t>(shape.y_strips) + 1);
-    for (std::size_t j = 1; j + 1 < breaks.size(); ++j) {
-        y_lines.emplace_back(std::vector<double>{shape.domain.x.lo, shape.domain.x.hi},
-                             std::vector<double>{breaks[j]}, 0);
-    }
     return {3, shape.domain, std::move(x_lines), std::move(y_lines), coefficients};
 }
 

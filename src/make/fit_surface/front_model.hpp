@@ -13,11 +13,12 @@ struct FrontShape {
     int bundle = 5;           ///< lines along the front
     int front_intervals = 3;  ///< of phi
     int y_strips = 3;
+    std::vector<SplineFunction> given = {};  ///< lines that stand still, in place of a bundle
 
     int front_values() const { return front_intervals + 3; }
     /// Those of phi, logarithms of the gaps, logits of the two lines beside.
-    int parameters() const { return front_values() + bundle - 1 + 2; }
-    int lines() const { return bundle + 2; }
+    int parameters() const { return given.empty() ? front_values() + bundle - 1 + 2 : 0; }
+    int lines() const { return given.empty() ? bundle + 2 : static_cast<int>(given.size()); }
     int x_functions() const { return lines() + 4; }
     int y_functions() const { return y_strips + 3; }
     int coefficients() const { return x_functions() * y_functions(); }
