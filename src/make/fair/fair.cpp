@@ -66,7 +66,12 @@ Made faired(const Request& request, double alpha, FairReport& report) {
     PlaneResult result = fair_plane(goal, {alpha, request.lambda});
     report.sweeps += result.steps;
     report.lambda = result.lambda * std::pow(request.unit, 5);
-    report.status = result.converged ? Status::met : Status::not_converged;
+    if (!result.converged) {
+        report.status = Status::not_converged;
+        report.notes.push_back("after " + std::to_string(result.steps) +
+                               " steps the last one would still move a point by " +
+                               format_number(result.last_move / request.sigma) + " sigma");
+    }
     std::vector<std::size_t> ends = section_ends(result.track);
     return {std::move(result.track), std::move(ends)};
 }

@@ -250,9 +250,11 @@ bool PlaneFairing::run(const Stage& stage, double least_move, int most_steps) {
         if (!(fresh <= value * (1 + 1e-6))) {
             track_ = from;
             linearise(stage);
+            last_move_ = most;
             return most < 10 * least_move;
         }
         value = fresh;
+        last_move_ = share * most;
         if (share * most < least_move) return true;
     }
     return false;

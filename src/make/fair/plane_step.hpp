@@ -34,6 +34,8 @@ public:
     const Track& track() const { return track_; }
     void restart(Track track) { track_ = std::move(track); }
     int steps() const { return steps_; }
+    /// The largest move of a point that the last step made, or asked for where it lowered nothing.
+    double last_move() const { return last_move_; }
 
     /// Steps until no point moves further than `move`, or `most_steps`; whether it came to rest.
     bool run(const Stage& stage, double move, int most_steps);
@@ -54,6 +56,7 @@ private:
     const PlaneGoal& goal_;
     Track track_;
     int steps_ = 0;
+    double last_move_ = 0;
     double stage_eps_sq_ = 0;
     std::vector<double> nx_, ny_, edge_, kappa_, offset_, side_;
     std::vector<Bend> bends_;
