@@ -126,7 +126,8 @@ std::string panel_script(const ReadyPanel& ready, std::size_t index, std::set<st
     if (ready.box.dim == 3) {
         throw Error("drawing.gnuplot", place, "a panel in space", "is drawn as SVG only");
     }
-    std::string text = "set title " + quoted(panel.caption) + "\nset xlabel " +
+    std::string text = "set title " + quoted(panel.caption) + " tc rgb \"" +
+                       std::string(ink_color) + "\"\nset xlabel " +
                        quoted(panel.x_label) + "\nset ylabel " + quoted(panel.y_label) + '\n';
     text += range_of("x", ready.box.sides[0], ready.is_log[0]);
     text += range_of("y", ready.box.sides[1], ready.is_log[1]);
@@ -174,7 +175,7 @@ std::string gnuplot_script(const Drawing& drawing, ChartFormat format) {
                        "\nset border 3 lc rgb \"" + std::string(axis_color) +
                        "\"\nset tics nomirror tc rgb \"" + std::string(text_color) +
                        "\"\nset grid lc rgb \"" + std::string(grid_color) +
-                       "\" lt 1\nset key bmargin center horizontal samplen 2\n";
+                       "\" lt 1\nset key tmargin right horizontal samplen 2\n";
     std::string title = drawing.title;
     if (!drawing.subtitle.empty()) title += (title.empty() ? "" : " — ") + drawing.subtitle;
     text += "set multiplot layout " + std::to_string(rows) + ',' + std::to_string(columns) +
