@@ -9,7 +9,10 @@ namespace batten {
 namespace {
 
 /// Three decimals: more than a picture can show.
-std::string rounded(double x) { return format_number(std::round(x * 1000) / 1000); }
+std::string rounded(double x) {
+    const std::string text = format_number(std::round(std::fabs(x) * 1000) / 1000);
+    return (x < 0 && text != "0" ? "−" : "") + text;
+}
 
 }  // namespace
 
@@ -17,8 +20,8 @@ Panel curvature_graph_plot(const Curve& curve, const std::string& name) {
     const LogarithmicGraph graph = curvature_graph(curve);
     Panel panel;
     panel.kind = PanelKind::chart;
-    panel.x_label = "log radius";
-    panel.y_label = "log |radius · ds / d radius|";
+    panel.x_label = "log ρ";
+    panel.y_label = "log |ρ ds/dρ|";
     panel.add(PointsLayer{graph.points, name, Marker::closed, {}, PointLabels::none, Tone::blue});
     if (graph.line) {
         double least = graph.points(0, 0), most = least;
