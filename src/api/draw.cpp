@@ -47,6 +47,7 @@ struct DrawReport {
     std::size_t curves = 0;
     std::size_t points = 0;
     std::size_t surfaces = 0;
+    std::vector<std::string> notes;
 };
 
 template <class Visit>
@@ -54,6 +55,7 @@ void visit_fields(const DrawReport& r, Visit&& visit) {
     visit("curves", r.curves, "curves in the picture");
     visit("points", r.points, "points in the picture");
     visit("surfaces", r.surfaces, "surfaces in the picture");
+    visit("notes", r.notes, "what else there is to say");
 }
 
 /// Parameters of `count` points equally far apart along `curve`, its ends among them.
@@ -75,6 +77,19 @@ void add_curve(Drawing& drawing, const Curve& curve, const std::string& name,
     }
 }
 
+/// A curve of constant curvature has no point in the graph.
+void add_graph(std::vector<Panel>& plots, const Curve& curve, const std::string& name,
+               DrawReport& report) {
+    Panel plot = curvature_graph_plot(curve, name);
+    const auto* dots = std::get_if<PointsLayer>(&plot.layers.front());
+    if (dots && dots->points.empty()) {
+        report.notes.push_back("no logarithmic curvature graph: the curvature is constant" +
+                               (name.empty() ? "" : ": " + name));
+        return;
+    }
+    plots.push_back(std::move(plot));
+}
+
 Outcome run(std::span<const Input> inputs, const DrawOptions& options) {
     Drawing drawing;
     drawing.title = options.title;
@@ -86,7 +101,7 @@ Outcome run(std::span<const Input> inputs, const DrawOptions& options) {
         if (const Curve* curve = std::get_if<Curve>(&input.content)) {
             add_curve(drawing, *curve, legend(input), options);
             if (options.curvature) plots.push_back(curvature_plot(*curve, legend(input)));
-            if (options.lcg) plots.push_back(curvature_graph_plot(*curve, legend(input)));
+            if (options.lcg) add_graph(plots, *curve, legend(input), report);
             if (options.lcg && curve->dim() == 3) {
                 plots.push_back(torsion_graph_plot(*curve, legend(input)));
             }

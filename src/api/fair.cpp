@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "api/row.hpp"
+#include "batten/make/interpolate.hpp"
+#include "io/draw/axes/ticks.hpp"
 
 namespace batten::api {
 namespace {
@@ -23,36 +25,55 @@ Points curvature_of(PointsView points) {
 }
 
 Panel curvature_panel(PointsView before, PointsView after) {
-    const Points fair = curvature_of(after);
-    double least = 0, most = 0;
+    constexpr double air = 0.12;
+    const Points given = curvature_of(before), fair = curvature_of(after);
+    double least = fair(0, 1), most = least;
     for (std::size_t i = 0; i < fair.size(); ++i) {
         least = std::fmin(least, fair(i, 1));
         most = std::fmax(most, fair(i, 1));
     }
-    const double margin = 0.6 * (most - least);
+    const double margin = air * (most - least);
     Panel panel;
-    panel.caption = "curvature";
+    panel.caption = "curvature along the points";
     panel.kind = PanelKind::chart;
     panel.x_label = "arc length";
-    panel.y_label = "curvature";
     if (margin > 0) panel.y_range = Interval{least - margin, most + margin};
-    panel.add(PolylineLayer{{curvature_of(before)}, "points", {Tone::grey, Dash::solid, 0.8}});
+    // Dots: joined by lines, the curvature of noise fills the panel.
+    panel.add(PointsLayer{given, "points", Marker::open, {}, PointLabels::none, Tone::grey});
     panel.add(PolylineLayer{{fair}, "faired", {Tone::accent}});
     return panel;
 }
 
+/// Smooth through the faired points, as a polyline would not look.
+Curve through(const Points& points, bool closed) {
+    const std::size_t n = points.size();
+    const bool repeats = closed && std::equal(points[0].begin(), points[0].end(),
+                                              points[n - 1].begin());
+    InterpolateOptions options;
+    options.method = Method::natural_chord;
+    options.closed = closed;
+    return interpolate(PointsView(points).part(0, repeats ? n - 1 : n), options).curve;
+}
+
+std::string subtitle(const FairReport& report) {
+    const auto number = drawing::short_number;
+    return "α = " + number(report.alpha) + ", σ = " + number(report.sigma) + ", moved by " +
+           number(report.rms_displacement) + " rms, " + number(report.max_displacement) +
+           " at most";
+}
+
 Drawing picture(PointsView points, const Fairing& made, const FairOptions& options) {
     Drawing drawing;
-    drawing.panels.front().caption = "points";
+    drawing.title = std::to_string(points.size()) + " points made fair";
+    drawing.subtitle = subtitle(made.report);
+    drawing.panels.front().caption = "points and curve";
     drawing.add(PointsLayer{Points(points), "points", Marker::open, {}, PointLabels::none, Tone::grey});
     if (made.curve) {
         drawing.add(CurveLayer{*made.curve, "faired", {Tone::accent}});
         drawing.add(TicksLayer{*made.curve,
                                {made.curve->breaks().begin(), made.curve->breaks().end()}});
     } else {
-        Points line(made.points);
-        if (options.closed) line.push_back(made.points[0]);
-        drawing.add(PolylineLayer{{line}, "faired", {Tone::accent}});
+        drawing.add(CurveLayer{through(made.points, options.closed), "faired", {Tone::accent}});
     }
     if (points.dim() == 2) {
         drawing.panels.push_back(curvature_panel(points, made.points));

@@ -13,6 +13,8 @@ namespace {
 constexpr int samples_a_piece = 24;
 constexpr std::size_t most_error_bars = 300;  // more are a grey band of their own
 constexpr double tick_share = 0.035;          // height of a knot's tick in its panel
+constexpr double seen_share = 0.015;          // of the panel: shorter bars hide behind their dots
+constexpr std::size_t most_curve_ticks = 120;  // more would paint the curve
 
 Panel chart(std::string caption, const std::string& x_label, std::string y_label) {
     Panel panel;
@@ -93,7 +95,10 @@ void add_dots(Panel& panel, const FitData& data,
 Panel data_panel(const FitData& data, const Fit& fit) {
     Panel panel = chart("data and fit", data.x_name, data.y_name);
     const FitBand& band = fit.report.covariance_band;
-    if (data.x.size() <= most_error_bars) {
+    const Interval level = range_of(data.y);
+    const std::span<const double> sigma = data.sigma, y = data.y;
+    const double tallest = *std::max_element(sigma.begin(), sigma.end());
+    if (data.x.size() <= most_error_bars && tallest > seen_share * level.length()) {
         PolylineLayer bars{{}, "errors ±σ", {Tone::grey, Dash::solid, 0.9}};
         for (std::size_t i = 0; i < data.x.size(); ++i) {
             const double lo = data.y[i] - data.sigma[i], hi = data.y[i] + data.sigma[i];
@@ -102,7 +107,7 @@ Panel data_panel(const FitData& data, const Fit& fit) {
         }
         if (!bars.runs.empty()) panel.add(std::move(bars));
     }
-    add_dots(panel, data, {data.y.begin(), data.y.end()}, fit.report.rejected);
+    add_dots(panel, data, {y.begin(), y.end()}, fit.report.rejected);
     if (!band.x.empty()) {
         panel.add(RegionsLayer{{outline(band.x, band.lower, band.upper)}, "95 % band",
                                Tone::accent});
@@ -129,7 +134,10 @@ Panel residual_panel(const FitData& data, const Fit& fit) {
     panel.add(RegionsLayer{{std::move(one)}, "±σ", Tone::blue});
     panel.add(PolylineLayer{{level(0)}, {}, {Tone::ink, Dash::solid, 0.8}});
     add_dots(panel, data, e, fit.report.rejected);
+    // The band of one sigma is a part of the panel, whatever the residuals.
+    y = {std::min(1.08 * y.lo, -2.2), std::max(1.08 * y.hi, 2.2)};
     panel.add(knot_ticks(fit.spline.breaks(), y));
+    panel.y_range = Interval{y.lo - 3 * tick_share * y.length(), y.hi};
     return panel;
 }
 
@@ -142,33 +150,60 @@ double criterion_of(const FitStep& step, StopRule rule) {
     }
 }
 
+/// Air around counts; so wide that the numbers along the axis are whole.
+Interval whole_range(double first, double last) {
+    constexpr double narrowest = 6, air = 0.04;
+    const double lo = std::min(first, last), hi = std::max(first, last);
+    const double half = std::max(0.5 * narrowest, (0.5 + air) * (hi - lo));
+    return {0.5 * (lo + hi) - half, 0.5 * (lo + hi) + half};
+}
+
+/// Rounded, but never to a certainty that it is not.
+std::string probability(double p) {
+    constexpr double nearly = 0.0005;
+    if (p > 1 - nearly && p < 1) return "> 0.999";
+    if (p < nearly && p > 0) return "< 0.001";
+    return "= " + format_fixed(p, 3);
+}
+
 Panel criterion_panel(const FitReport& report, const FitOptions& options) {
     const StopRule rule = options.stop;
     const bool is_criterion = rule != StopRule::distribution && rule != StopRule::chi2 &&
                               rule != StopRule::none;
     const std::string name(is_criterion ? name_of(rule) : name_of(StopRule::bic));
-    Panel panel = chart("criterion", "intervals", name);
+    const bool is_shaped = options.monotone != Direction::free || options.convex != Direction::free;
+    Panel panel = chart(options.knots == KnotPlacement::pruned ? "criterion, before knots are pruned"
+                        : is_shaped ? "criterion, without the shape asked for"
+                                    : "criterion",
+                        "intervals", name);
     // Knots that are pruned afterwards are not on the path.
     const bool is_on_path = options.knots != KnotPlacement::pruned;
     Points line(0, 2), chosen(0, 2);
+    std::vector<double> values;
     double least = criterion_of(report.path.front(), rule);
     for (const FitStep& step : report.path) {
         const std::array<double, 2> here{static_cast<double>(step.intervals),
                                          criterion_of(step, rule)};
         line.push_back(here);
+        values.push_back(here[1]);
         least = std::min(least, here[1]);
         if (is_on_path && step.intervals == report.intervals) chosen.push_back(here);
     }
     // The first steps are far worse than any other and would flatten the rest.
     if (line.size() > 3) {
+        // Half of the steps are shown, though, and the one chosen.
         const double last = line(line.size() - 1, 1);
-        const double top = least + 1.4 * std::max(last - least, 0.02 * std::fabs(least));
+        std::sort(values.begin(), values.end());
+        double shown = std::max(last, values[values.size() / 2]);
+        if (!chosen.empty()) shown = std::max(shown, chosen(0, 1));
+        const double top = least + 1.4 * std::max(shown - least, 0.02 * std::fabs(least));
         const double first = line(0, 1);
         if (top < first && last < top) {
             const double air = 0.08 * (top - least);
             panel.y_range = Interval{least - air, top};
         }
     }
+    panel.x_range = whole_range(line(0, 0), line(line.size() - 1, 0));
     panel.add(PolylineLayer{{line}, {}, {Tone::grey, Dash::solid, 1.2}});
     panel.add(PointsLayer{line, {}, Marker::open, {}, PointLabels::none, Tone::ink});
     if (!chosen.empty()) {
@@ -207,7 +242,7 @@ std::string subtitle(const FitReport& report) {
                        std::to_string(report.intervals) +
                        (report.intervals == 1 ? " interval, " : " intervals, ") + "δ² = " +
                        format_fixed(report.delta2, 2);
-    if (report.chi2_p) text += ", χ² p = " + format_fixed(*report.chi2_p, 3);
+    if (report.chi2_p) text += ", χ² p " + probability(*report.chi2_p);
     if (report.sigma_source == SigmaSource::estimated) text += ", σ estimated";
     return text;
 }
@@ -236,7 +271,11 @@ Drawing fit_curve_picture(PointsView points, const CurveFit& fit, const FitOptio
     drawing.add(PointsLayer{Points(points), "data", Marker::open, {}, PointLabels::none, Tone::grey});
     drawing.add(CurveLayer{curve, "fit", {Tone::accent, Dash::solid, 1.8}});
     std::vector<double> at(curve.breaks().begin(), curve.breaks().end());
-    drawing.add(TicksLayer{curve, at, "knots"});
+    if (at.size() <= most_curve_ticks) {
+        drawing.add(TicksLayer{curve, at, "knots"});
+    } else {
+        drawing.panels[0].caption += ", its " + std::to_string(at.size()) + " knots too dense to show";
+    }
     if (fit.report.path.size() > 1) drawing.panels.push_back(criterion_panel(fit.report, options));
     return drawing;
 }

@@ -20,11 +20,13 @@ Curve curve_again(const Points& kept, const ThinOptions& options) {
 
 Drawing picture(PointsView given, const Thinned& thinned, const ThinOptions& options) {
     Drawing drawing;
-    drawing.add(CurveLayer{curve_again(thinned.points, options), "curve of the points kept",
-                           {Tone::blue, Dash::solid, 1.3}});
     drawing.add(PointsLayer{Points(given), "points given", Marker::closed, {}, PointLabels::none,
                             Tone::grey});
-    drawing.add(PointsLayer{thinned.points, "points kept"});
+    drawing.add(CurveLayer{curve_again(thinned.points, options), "curve of the points kept",
+                           {Tone::blue, Dash::solid, 1.3}});
+    // Full dots: rings would hide the curve inside them.
+    drawing.add(PointsLayer{thinned.points, "points kept", Marker::closed, {}, PointLabels::none,
+                            Tone::accent});
     return drawing;
 }
 

@@ -124,5 +124,20 @@ TEST(AlphaFromPoints, RefusesTooFewPoints) {
     EXPECT_EQ(code(Points(9, 3)), "points.dimension");
 }
 
+TEST(Fairing, RefusesOptionsWithoutWhatTheyBelongTo) {
+    const auto with = [](auto change) {
+        FairOptions options;
+        change(options);
+        return code_of(arc(20), options);
+    };
+    EXPECT_EQ(with([](FairOptions& o) { o.window = 5; }), "fair.options");
+    EXPECT_EQ(with([](FairOptions& o) { o.sweeps = 5; }), "fair.options");
+    EXPECT_EQ(with([](FairOptions& o) { o.split = true; }), "fair.options");
+    EXPECT_EQ(with([](FairOptions& o) { o.spacing = FairSpacing::kept; }), "fair.options");
+    EXPECT_EQ(with([](FairOptions& o) { o.beta = 1; }), "fair.options");
+    EXPECT_EQ(with([](FairOptions& o) { o.engine = FairEngine::filter, o.lambda = 1; }),
+              "fair.options");
+}
+
 }  // namespace fair_bad_test
 }  // namespace batten

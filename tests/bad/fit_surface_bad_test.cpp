@@ -2,7 +2,7 @@
 #include "surface_samples.hpp"
 
 namespace batten {
-namespace {
+namespace fit_surface_bad_test {
 
 using namespace testing;
 
@@ -84,5 +84,5 @@ TEST(BadSurface, NumbersBeyondADoubleAreRefused) {
     EXPECT_EQ(refused(table.view(), options), "number.overflow");
 }
 
-}  // namespace
+}  // namespace fit_surface_bad_test
 }  // namespace batten

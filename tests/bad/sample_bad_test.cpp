@@ -201,5 +201,26 @@ TEST(PaperMethodRefuses, WhatItCannotWalk) {
     EXPECT_EQ(refused(Points({0, 0, 1, 0, 1, 1}, 2)), "sample.options");
 }
 
+TEST(SampleRefuses, OptionsOfAnotherLaw) {
+    const auto with = [](auto change) {
+        SampleOptions options = by(Law::constant);
+        change(options);
+        return refusal(options);
+    };
+    EXPECT_EQ(with([](SampleOptions& o) { o.positions = {absolute(0), absolute(1)}; }),
+              "sample.options");
+    EXPECT_EQ(with([](SampleOptions& o) { o.keys = Points({0, 0, 1, 1}, 2); }), "sample.options");
+    EXPECT_EQ(with([](SampleOptions& o) { o.ramp = 0.3; }), "sample.options");
+    EXPECT_EQ(with([](SampleOptions& o) { o.accel_time = 0.3; }), "sample.options");
+    EXPECT_EQ(with([](SampleOptions& o) { o.jerk_time = 0.2; }), "sample.options");
+    EXPECT_EQ(with([](SampleOptions& o) { o.start_speed = 1; }), "sample.options");
+    EXPECT_EQ(with([](SampleOptions& o) { o.end_speed = 1; }), "sample.options");
+    EXPECT_EQ(with([](SampleOptions& o) { o.max_speed = 1; }), "sample.options");
+    EXPECT_EQ(with([](SampleOptions& o) { o.max_lateral = 1; }), "sample.options");
+    EXPECT_EQ(with([](SampleOptions& o) { o.max_tangential = 1; }), "sample.options");
+    EXPECT_EQ(with([](SampleOptions& o) { o.walked_length = WalkedLength::polyline; }),
+              "sample.options");
+}
+
 }  // namespace sample_bad_test
 }  // namespace batten

@@ -6,7 +6,7 @@
 #include "surface_samples.hpp"
 
 namespace batten {
-namespace {
+namespace contours_test {
 
 using namespace testing;
 
@@ -117,5 +117,5 @@ TEST(Story, TheCurvatureOfALevelLineOfNoisyHeightsIsWithinOnePercent) {
     RecordProperty("largest", std::to_string(largest));
 }
 
-}  // namespace
+}  // namespace contours_test
 }  // namespace batten

@@ -5,7 +5,7 @@
 
 /// The surface of the paper's Figure 4.1, as rebuilt in fig41_reference.json.
 namespace batten {
-namespace {
+namespace curved_knots_test {
 
 using nlohmann::json;
 using namespace testing;
@@ -111,5 +111,5 @@ TEST(CurvedKnotLines, ThatAreStraightMakeATensorProduct) {
     }
 }
 
-}  // namespace
+}  // namespace curved_knots_test
 }  // namespace batten

@@ -4,7 +4,7 @@
 
 /// Surfaces with a front along a curve.
 namespace batten {
-namespace {
+namespace fit_front_test {
 
 using namespace testing;
 
@@ -129,5 +129,5 @@ TEST(Front, IsNotSeenWhereThereIsNone) {
     }
 }
 
-}  // namespace
+}  // namespace fit_front_test
 }  // namespace batten

@@ -6,7 +6,7 @@
 #include "surface_samples.hpp"
 
 namespace batten {
-namespace {
+namespace fit_scattered_test {
 
 using namespace testing;
 
@@ -152,5 +152,5 @@ TEST(FreeKnotLines, LessenDelta2AsMuchAsTheReference) {
     }
 }
 
-}  // namespace
+}  // namespace fit_scattered_test
 }  // namespace batten

@@ -3,7 +3,7 @@
 
 /// Surfaces against the reference made by dense QR.
 namespace batten {
-namespace {
+namespace fit_surface_test {
 
 using nlohmann::json;
 using namespace testing;
@@ -134,5 +134,5 @@ TEST(FittedSurface, ListsTheCoefficientsThatAHoleSwallows) {
     EXPECT_NEAR(made.surface(0.1, 0.9), 0.09, 1e-9);
 }
 
-}  // namespace
+}  // namespace fit_surface_test
 }  // namespace batten

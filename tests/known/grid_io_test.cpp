@@ -5,7 +5,7 @@
 #include "surface_samples.hpp"
 
 namespace batten {
-namespace {
+namespace grid_io_test {
 
 using namespace testing;
 
@@ -193,5 +193,5 @@ TEST(Mesh, HasTheCountsItDeclares) {
     EXPECT_NE(obj.find("\nf 1//1 4//4 5//5 2//2\n"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace grid_io_test
 }  // namespace batten

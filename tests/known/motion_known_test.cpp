@@ -195,5 +195,22 @@ TEST(Frames, OfAHelixTurnBackAgainstItsTorsion) {
     }
 }
 
+TEST(TimeOptimal, StopsAtCorners) {
+    const Curve corner = polyline(Points({0, 0, 1, 0, 1, 1}, 2));
+    const TimedLaw fastest = time_optimal_law(corner, ArcLengthMap(corner), {1, 100, 1});
+    EXPECT_EQ(fastest.corners, 1u);
+    EXPECT_NEAR(fastest.duration, 4, 1e-12);  // twice: up to 1 in half of the way, and down again
+    EXPECT_NEAR(fastest.law.at(0.5).share, 0.5, 1e-12);
+    EXPECT_NEAR(fastest.law.at(0.5).speed, 0, 1e-6);
+    EXPECT_NEAR(fastest.law.at(0.25).speed * 2 / fastest.duration, 1, 1e-12);
+    SampleOptions options = by(Law::time_optimal);
+    options.max_speed = options.max_tangential = 1;
+    options.max_lateral = 100;
+    const Sampling made = sample(corner, options);
+    ASSERT_EQ(made.report.notes.size(), 1u);
+    EXPECT_NE(made.report.notes[0].find("corners of the curve: 1"), std::string::npos);
+    EXPECT_EQ(time_optimal_law(ellipse(2, 1), ArcLengthMap(ellipse(2, 1)), {1, 1, 1}).corners, 0u);
+}
+
 }  // namespace motion_known_test
 }  // namespace batten

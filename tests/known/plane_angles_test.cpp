@@ -8,7 +8,7 @@
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace plane_angles_test {
 
 using batten::testing::Random;
 using patches::Level;
@@ -89,5 +89,5 @@ TEST(EveryLevel, GivesTheSameAnglesAndDirectionsBitForBit) {
     }
 }
 
-}  // namespace
+}  // namespace plane_angles_test
 }  // namespace batten

@@ -10,7 +10,7 @@
 #include "random.hpp"
 
 namespace batten {
-namespace {
+namespace pseudo_shares_test {
 
 using namespace pseudo;
 using batten::testing::Random;
@@ -119,5 +119,5 @@ TEST(TheTabulatedRuleOfThreePoints, LeansToTheHeavierSideTheMoreTheHeavierItIs) 
     }
 }
 
-}  // namespace
+}  // namespace pseudo_shares_test
 }  // namespace batten

@@ -5,7 +5,7 @@
 #include "surface_samples.hpp"
 
 namespace batten {
-namespace {
+namespace spline_surface_test {
 
 using namespace testing;
 
@@ -102,5 +102,5 @@ TEST(GraphBend, IsThatOfASphereAndOfASaddle) {
     EXPECT_DOUBLE_EQ(saddle.least, -2);
 }
 
-}  // namespace
+}  // namespace spline_surface_test
 }  // namespace batten

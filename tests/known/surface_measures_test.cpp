@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace batten {
-namespace {
+namespace surface_measures_test {
 
 /// a + b x + c y + d x y + e x^2 over [0, 1] x [0, 2], in 3 x 2 patches: exact as a spline.
 SplineSurface quadric(double b, double c, double d, double e) {
@@ -58,5 +58,5 @@ TEST(SurfaceMeasures, FindAPeakBetweenTheLattice) {
     EXPECT_NEAR(r.height.largest.value, 0.37 * 0.37 / 2 + 0.25, 1e-14);
 }
 
-}  // namespace
+}  // namespace surface_measures_test
 }  // namespace batten

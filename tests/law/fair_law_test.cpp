@@ -179,5 +179,52 @@ TEST(Fairing, NeedsNoSmallSpacingForLongWaves) {
     EXPECT_LT(testing::distance_from(arc, some), 7e-5);  // 0.035 sigma is ideal
 }
 
+/// Both sides of a round nose, from tail to tail: close together at the nose, far apart behind it.
+Points nose(int half) {
+    Points points(0, 2);
+    for (int i = -half; i <= half; ++i) {
+        const double u = static_cast<double>(i) / half, size = std::fabs(u);
+        const double x = size * size * size;
+        points.push_back(std::vector<double>{x, 0.2 * std::copysign(std::sqrt(x) * (1.1 - x), u)});
+    }
+    return points;
+}
+
+TEST(Fairing, KeepsAShapeThatItsSigmaCannotExplain) {
+    FairOptions options;
+    for (const double sigma : {1e-4, 1e-6}) {
+        options.sigma = sigma;
+        const Fairing made = fair(nose(30), options);
+        EXPECT_LE(made.report.rms_displacement, 1.5 * sigma);
+        EXPECT_EQ(made.report.status, Status::met);
+    }
+}
+
+TEST(Fairing, MovesNothingWhereLambdaAsksForNothing) {
+    FairOptions options;
+    options.sigma = 1e-6;
+    options.lambda = 1e-30;
+    EXPECT_LE(fair(nose(30), options).report.max_displacement, 1e-12);
+    Points crowded = noisy_wave(1, 0.01);
+    Points points(0, 2);
+    for (std::size_t i = 0; i < crowded.size(); ++i) {
+        points.push_back(crowded[i]);
+        if (i % 10 == 5) {
+            points.push_back(std::vector<double>{crowded(i, 0) + 0.001, crowded(i, 1) + 0.002});
+        }
+    }
+    EXPECT_LE(fair(points, options).report.max_displacement, 1e-12);
+}
+
+TEST(Fairing, SaysWhereItMovesPointsFarBeyondTheirNoise) {
+    FairOptions options;
+    options.sigma = 1e-4;
+    options.lambda = 1e-3;
+    const Fairing made = fair(nose(30), options);
+    EXPECT_GT(made.report.rms_displacement, 2e-4);
+    ASSERT_FALSE(made.report.notes.empty());
+    EXPECT_NE(made.report.notes.back().find("more than noise explains"), std::string::npos);
+}
+
 }  // namespace fair_law_test
 }  // namespace batten

@@ -1,7 +1,7 @@
 #include "surface_samples.hpp"
 
 namespace batten {
-namespace {
+namespace fit_surface_law_test {
 
 using namespace testing;
 
@@ -138,5 +138,5 @@ TEST(SurfaceLaw, AGridIsWhatSinglePointsAre) {
     }
 }
 
-}  // namespace
+}  // namespace fit_surface_law_test
 }  // namespace batten

@@ -86,5 +86,75 @@ TEST(Gnuplot, IsNotAskedForWhatItCannotDraw) {
     EXPECT_EQ(code(TicksLayer{near_circle(1), {0}}), "none");
 }
 
+/// Exact data with an error far too large: residuals all near 0.
+Drawing drawn_calmly(const std::vector<Setting>& more) {
+    std::string text = "x,y,sigma\n";
+    for (int i = 0; i <= 40; ++i) {
+        text += format_number(i / 40.0) + "," + format_fixed(std::sin(0.1 * i), 9) + ",0.001\n";
+    }
+    std::vector<Setting> settings{{"x", "x"}, {"y", "y"}};
+    settings.insert(settings.end(), more.begin(), more.end());
+    const Input input{"calm.csv", PointsInput{parse_table({"calm.csv", text}), {}}};
+    return find_operation("fit")->run({&input, 1}, settings, {}).draw();
+}
+
+std::vector<std::string> names_in(const Panel& panel) {
+    std::vector<std::string> names;
+    for (const Layer& layer : panel.layers) {
+        std::visit([&](const auto& any) {
+            if constexpr (requires { any.name; }) names.push_back(any.name);
+        }, layer);
+    }
+    return names;
+}
+
+TEST(Picture, OfAFitShowsTheBandOfOneSigmaAsAPartOfThePanel) {
+    const Panel residuals = drawn_calmly({}).panels[1];
+    ASSERT_TRUE(residuals.y_range);
+    EXPECT_LE(residuals.y_range->lo, -2);
+    EXPECT_GE(residuals.y_range->hi, 2);
+}
+
+TEST(Picture, OfAFitNamesNoErrorBarsThatHideBehindTheirDots) {
+    for (const std::string& name : names_in(drawn_calmly({}).panels[0])) {
+        EXPECT_EQ(name.find("errors"), std::string::npos);
+    }
+    EXPECT_EQ(names_in(drawn({}).panels[0]).front(), "errors ±σ");
+}
+
+TEST(Picture, OfAFitSaysNoProbabilityThatItDoesNotHave) {
+    EXPECT_NE(drawn_calmly({}).subtitle.find("p > 0.999"), std::string::npos);
+}
+
+TEST(Picture, OfTheCriterionShowsHalfOfTheStepsAndTheOneChosen) {
+    for (const char* const stop : {"bic", "aic"}) {
+        const Drawing drawing = drawn({{"stop", stop}});
+        const Panel& criterion = drawing.panels[2];
+        ASSERT_TRUE(criterion.x_range);
+        EXPECT_GE(criterion.x_range->length(), 6) << "whole numbers along the axis";
+        std::size_t shown = 0, steps = 0;
+        for (const Layer& layer : criterion.layers) {
+            const auto* dots = std::get_if<PointsLayer>(&layer);
+            if (!dots) continue;
+            const bool is_chosen = dots->name == "chosen";
+            for (std::size_t i = 0; i < dots->points.size(); ++i) {
+                const bool is_in = !criterion.y_range ||
+                                   criterion.y_range->contains(dots->points(i, 1));
+                EXPECT_TRUE(is_in || !is_chosen);
+                steps += is_chosen ? 0 : 1;
+                shown += is_chosen ? 0 : is_in;
+            }
+        }
+        EXPECT_GE(2 * shown, steps);
+    }
+    EXPECT_NE(drawn({{"knots", "pruned"}}).panels[2].caption.find("before knots are pruned"),
+              std::string::npos);
+}
+
+TEST(Gnuplot, KeepsTheLegendAwayFromTheNamesOfTheAxes) {
+    const std::string script = gnuplot_script(drawn({}), ChartFormat::png);
+    EXPECT_NE(script.find("set key tmargin"), std::string::npos);
+}
+
 }  // namespace fit_picture_test
 }  // namespace batten::testing

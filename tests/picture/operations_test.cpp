@@ -8,6 +8,7 @@
 #include "batten/api/operation.hpp"
 #include "batten/base/text.hpp"
 #include "batten/io/table.hpp"
+#include "batten/shape/log_aesthetic.hpp"
 #include "shared.hpp"
 
 // What `--draw` draws. After a change on purpose: BATTEN_GOLDEN=accept, and look.
@@ -50,6 +51,29 @@ TEST(PictureOfDensify, ShowsGivenAndNewPoints) {
 TEST(PictureOfThin, ShowsWhatIsKept) {
     EXPECT_TRUE(is_golden("thin.svg", picture_of("thin", violin(),
                                                  {{"closed", "true"}, {"tolerance", "4"}})));
+}
+
+/// Points of an arch, every other one off by a little.
+Source rough_arch() {
+    std::string text;
+    for (int i = 0; i <= 40; ++i) {
+        const double t = 0.5 + 0.05 * i, r = 1 + (i % 2 == 0 ? 0.002 : -0.002);
+        text += format_fixed(2 * r * std::cos(t), 6) + "," + format_fixed(r * std::sin(t), 6) + "\n";
+    }
+    return {"arch.csv", text};
+}
+
+TEST(PictureOfFair, ShowsPointsASmoothCurveAndBothCurvatures) {
+    EXPECT_TRUE(is_golden("fair.svg", picture_of("fair", rough_arch(), {{"sigma", "0.002"}})));
+}
+
+TEST(PictureOfDraw, LeavesOutTheGraphOfACurveOfConstantCurvature) {
+    const std::vector<double> start{0, 0};
+    const Input arc{"arc.json", Curve(LogAestheticCurve(start, 0, {1, 1.5, 1, 1}))};
+    const Outcome made =
+        find_operation("draw")->run({&arc, 1}, {{"lcg", "true"}, {"comb", "true"}}, {});
+    EXPECT_EQ(made.draw().panels.size(), 1u);
+    EXPECT_NE(svg(made.draw()).find("<path"), std::string::npos);
 }
 
 }  // namespace operations_test

@@ -85,8 +85,8 @@ struct Fairing {
 ///         it is found; filter 0.1 us a point and sweep at window 5.
 /// Throws: `points.dimension`, `points.too-few` below 5 (7 in space), `points.not-finite`, `points.repeated`,
 ///         `points.all-equal`, `option.range`, `fair.tolerance-below-sigma`,
-///         `fair.closed-has-no-ends`, `fair.not-in-space`, `fair.folds` where sigma is so large against the spacing
-///         that the points turn back even when smoothed.
+///         `fair.closed-has-no-ends`, `fair.not-in-space`, `fair.options`, `fair.folds` where
+///         sigma is so large against the spacing that the points turn back even when smoothed.
 Fairing fair(PointsView points, const FairOptions& options);
 
 }  // namespace batten

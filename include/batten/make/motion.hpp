@@ -73,14 +73,15 @@ struct MotionLimits {
 struct TimedLaw {
     MotionLaw law;
     double duration = 0;
+    std::size_t corners = 0;  ///< where the walk stops on its way
 };
 
 /// The fastest walk from rest to rest within the limits, each by itself.
 ///
 /// v^2 is the largest function that is below speed^2 and lateral / |kappa| and whose slope by s is
 /// within 2 tangential: it follows one of the four, and where it changes over is found exactly. So
-/// the limits hold everywhere and not only on a grid. Corners are passed at the speed of their
-/// sides.
+/// the limits hold everywhere and not only on a grid. At a corner, a turn of more than 0.001 rad
+/// at once, the curvature has no bound: the walk stops there and starts again.
 /// Accuracy: 1e-10 of the duration; limits to 1e-9. Cost: about 60 us a cubic.
 /// Throws `option.range` unless all limits are above 0 and finite.
 /// Source: [Bobrow1985], the limits of the phase plane.

@@ -9,15 +9,18 @@ namespace batten {
 namespace {
 
 /// Three decimals: more than a picture can show.
-std::string rounded(double x) { return format_number(std::round(x * 1000) / 1000); }
+std::string rounded(double x) {
+    const std::string text = format_number(std::round(std::fabs(x) * 1000) / 1000);
+    return (x < 0 && text != "0" ? "−" : "") + text;
+}
 
-/// The graph of what `radius` names, with its line.
+/// The graph of a radius of this sign, ρ or μ, with its line.
 Panel graph_panel(const LogarithmicGraph& graph, const std::string& radius,
                   const std::string& name) {
     Panel panel;
     panel.kind = PanelKind::chart;
     panel.x_label = "log " + radius;
-    panel.y_label = "log |radius · ds / d radius|";
+    panel.y_label = "log |" + radius + " ds/d" + radius + "|";
     panel.add(PointsLayer{graph.points, name, Marker::closed, {}, PointLabels::none, Tone::blue});
     if (graph.line) {
         double least = graph.points(0, 0), most = least;
@@ -38,11 +41,11 @@ Panel graph_panel(const LogarithmicGraph& graph, const std::string& radius,
 }  // namespace
 
 Panel curvature_graph_plot(const Curve& curve, const std::string& name) {
-    return graph_panel(curvature_graph(curve), "radius", name);
+    return graph_panel(curvature_graph(curve), "ρ", name);
 }
 
 Panel torsion_graph_plot(const Curve& curve, const std::string& name) {
-    return graph_panel(torsion_graph(curve), "radius of torsion", name);
+    return graph_panel(torsion_graph(curve), "μ", name);
 }
 
 }  // namespace batten

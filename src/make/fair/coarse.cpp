@@ -109,6 +109,7 @@ PlaneResult faired_coarsely(const PlaneGoal& goal, const PlaneWish& wish, const 
     result.lambda = coarse.lambda;
     result.steps += coarse.steps;
     result.converged = coarse.converged;
+    result.last_move = coarse.last_move;
     return result;
 }
 

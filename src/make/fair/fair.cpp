@@ -61,12 +61,24 @@ double found_alpha(const Request& request, const Made& made, FairReport& report)
     return -1;
 }
 
+/// rms displacement over sigma from which the shape itself must have changed.
+constexpr double far_beyond_sigma = 2;
+
 Made faired(const Request& request, double alpha, FairReport& report) {
     const PlaneGoal goal = goal_of(request);
     PlaneResult result = fair_plane(goal, {alpha, request.lambda});
     report.sweeps += result.steps;
     report.lambda = in_data_units(result.lambda, request);
-    report.status = result.converged ? Status::met : Status::not_converged;
+    if (!result.converged) {
+        report.status = Status::not_converged;
+        report.notes.push_back("after " + std::to_string(result.steps) +
+                               " steps the last one would still move a point by " +
+                               format_fixed(result.last_move / request.sigma, 3) + " sigma");
+    }
+    if (result.rms > far_beyond_sigma * request.sigma) {
+        report.notes.push_back("the points move by " + format_fixed(result.rms / request.sigma, 1) +
+                               " sigma (rms), more than noise explains: lambda is large for them");
+    }
     std::vector<std::size_t> ends = section_ends(result.track);
     return {std::move(result.track), std::move(ends)};
 }

@@ -83,6 +83,10 @@ Fairing fair_in_space(PointsView points, const FairOptions& options) {
     report.lambda = in_data_units(result.lambda, request);
     report.sweeps = result.steps;
     report.status = result.converged ? Status::met : Status::not_converged;
+    if (!result.converged) {
+        report.notes.push_back("after " + std::to_string(result.steps) +
+                               " steps the last one still moved the points");
+    }
     report.linearity_residual = residual(result.track, report.alpha);
     return fairing;
 }

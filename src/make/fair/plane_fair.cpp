@@ -74,7 +74,8 @@ public:
 
     PlaneResult run() {
         wish_.lambda ? with_lambda(std::fmin(*wish_.lambda, longest())) : with_sigma();
-        return {fairing_.track(), lambda_, fairing_.steps(), converged_, fairing_.rms()};
+        return {fairing_.track(), lambda_, fairing_.steps(), converged_, fairing_.rms(),
+                fairing_.last_move()};
     }
 
 private:
@@ -109,11 +110,34 @@ private:
         fine(lambda);
     }
 
+    /// Where points crowd, as round a nose, waves shorter than the mean spacing tells are shape and
+    /// no noise: from displacements far beyond sigma lambda goes down as long as the estimated
+    /// error falls, each time from the start.
+    double gentle_enough(double lambda) {
+        const Track start = start_of(goal_);
+        double error = expected_error(lambda);
+        while (fairing_.rms() > most_rms * goal_.sigma || lambda < first_lambda()) {
+            const Track before = fairing_.track();
+            fairing_.restart(start);
+            rough(-1, lambda / ratio, 0);
+            const double less = expected_error(lambda / ratio);
+            if (!(less < error)) {
+                fairing_.restart(before);
+                break;
+            }
+            lambda /= ratio;
+            error = less;
+        }
+        return lambda;
+    }
+    double first_lambda() const { return lambda_of(shortest_wave(), spacing_, goal_.sigma); }
+
     /// Raises lambda as long as the estimated error falls; clothoids first.
     void with_sigma() {
         const double largest = std::fmin(lambda_of(2 * length_, spacing_, goal_.sigma), longest());
-        double lambda = lambda_of(shortest_wave(), spacing_, goal_.sigma);
+        double lambda = first_lambda();
         rough(-1, lambda, 0);
+        lambda = gentle_enough(lambda);
         lambda = best_from(-1, 0, lambda, largest);
         if (!is_clothoid()) {
             lambda /= ratio;

@@ -19,6 +19,7 @@ struct PlaneResult {
     int steps = 0;
     bool converged = false;
     double rms = 0;  ///< of the normal displacements
+    double last_move = 0;  ///< largest of a point, that the last step made or would have made
 };
 
 /// Throws `fair.folds` where even the smoothed points turn back.

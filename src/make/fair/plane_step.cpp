@@ -296,10 +296,12 @@ bool PlaneFairing::run(const Stage& stage, double least_move, int most_steps) {
         if (!(fresh <= value * (1 + 1e-6))) {
             track_ = from;
             linearise(stage);
+            last_move_ = most;
             return !is_cut_ && most < 10 * least_move;
         }
         value = fresh;
-        if (!is_cut_ && share * most < least_move) return true;
+        last_move_ = share * most;
+        if (!is_cut_ && last_move_ < least_move) return true;
     }
     return false;
 }

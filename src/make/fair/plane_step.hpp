@@ -38,6 +38,8 @@ public:
         std::fill(active_.begin(), active_.end(), 0);
     }
     int steps() const { return steps_; }
+    /// The largest move of a point that the last step made, or asked for where it lowered nothing.
+    double last_move() const { return last_move_; }
 
     /// Steps until no point moves further than `move`, or `most_steps`; whether it came to rest.
     bool run(const Stage& stage, double move, int most_steps);
@@ -63,6 +65,7 @@ private:
     const PlaneGoal& goal_;
     Track track_;
     int steps_ = 0;
+    double last_move_ = 0;
     double stage_eps_sq_ = 0;
     bool is_cut_ = false;  ///< the step ended at somebody's bound
     std::vector<double> nx_, ny_, edge_, kappa_, offset_, side_;

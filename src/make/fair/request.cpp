@@ -14,6 +14,27 @@ constexpr std::size_t fewest_points = 5;
 /// Of the extent: what rounding leaves of points in a straight line, and of exact data's noise.
 constexpr double straight = 1e-13, least_sigma = 1e-9;
 
+/// An option of one engine, or of space, is refused with the other: it would be ignored.
+void require_its_use(const FairOptions& o, int dim) {
+    const FairOptions usual;
+    const auto refuse_if = [](bool is_idle, const char* name, const char* value,
+                              const char* rule) {
+        if (is_idle) throw Error("fair.options", name, value, rule);
+    };
+    const auto filter_only = [&](bool is_given, const char* name) {
+        refuse_if(is_given && o.engine != FairEngine::filter, name, "with engine gauss-newton",
+                  "goes with engine filter only");
+    };
+    filter_only(o.sweeps != usual.sweeps, "sweeps");
+    filter_only(o.window != usual.window, "window");
+    filter_only(o.spacing != usual.spacing, "spacing");
+    filter_only(o.split, "split");
+    refuse_if(o.lambda && o.engine == FairEngine::filter, "lambda", "with engine filter",
+              "goes with engine gauss-newton only");
+    refuse_if(o.beta != usual.beta && dim == 2, "beta", "in the plane",
+              "torsion is for points in space");
+}
+
 void require_options(const FairOptions& o) {
     const auto require = [](bool is_good, const char* name, double value, const char* rule) {
         if (!is_good) throw Error("option.range", name, format_number(value), rule);
@@ -68,6 +89,7 @@ bool is_straight(const Track& t) {
 Request checked(PointsView points, const FairOptions& options) {
     require_options(options);
     require_dimension(points, 2, 3);
+    require_its_use(options, points.dim());
     require_count(points, fewest_points);
     require_finite(points);
     const bool repeats = options.closed && points.size() > fewest_points &&

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace batten::fairing {
 namespace {
@@ -56,24 +57,51 @@ Tangent tangent_at(const Track& t, std::size_t i) {
     return {dx / length, dy / length};
 }
 
-/// Puts point i on the cubic from kept point j to the next one, at the share t of it.
-void place(Track& whole, std::size_t i, const Track& few, std::size_t j, double t,
-           const PlaneGoal& goal) {
+struct Spot {
+    double x = 0, y = 0;
+};
+
+/// On the cubic from point j to the next one, at the share t of it.
+Spot spot_on(const Track& few, std::size_t j, double t) {
     const std::size_t k = few.next(j);
-    const double cx = few.x[k] - few.x[j], cy = few.y[k] - few.y[j], c_sq = cx * cx + cy * cy;
-    const double u = 1 - t;
-    const double chord = std::sqrt(c_sq);
+    const double cx = few.x[k] - few.x[j], cy = few.y[k] - few.y[j];
+    const double u = 1 - t, chord = std::sqrt(cx * cx + cy * cy);
     const Tangent p = tangent_at(few, j), q = tangent_at(few, k);
     const double first = t * u * u * chord, second = -t * t * u * chord, step = t * t * (3 - 2 * t);
-    double x = few.x[j] + step * cx + first * p.x + second * q.x;
-    double y = few.y[j] + step * cy + first * p.y + second * q.y;
-    const double ox = x - goal.data.x[i], oy = y - goal.data.y[i], off = std::hypot(ox, oy);
+    return {few.x[j] + step * cx + first * p.x + second * q.x,
+            few.y[j] + step * cy + first * p.y + second * q.y};
+}
+
+/// What is kept of a wave that two edges of the kept points span.
+double kept_share(const Track& few, std::size_t j, const PlaneResult& result, double sigma) {
+    const double edge = few.edge(j);
+    const double resisted = result.lambda * edge * sigma * sigma *
+                            std::pow(std::numbers::pi / edge, 8);
+    return 1 / (1 + resisted);
+}
+
+/// A place of the whole between two of the few.
+struct Between {
+    std::size_t i = 0;  ///< of the whole
+    std::size_t j = 0;  ///< of the few, before it
+    double t = 0;       ///< share of the way to the next one
+    double keeps = 0;   ///< of its own distance from the data's cubic
+};
+
+/// Puts a point on the cubic of the fair few, and as far from it as `keeps` says.
+void place(Track& whole, const Between& at, const Track& fair, const PlaneGoal& few,
+           const PlaneGoal& goal) {
+    const double dx = goal.data.x[at.i], dy = goal.data.y[at.i];
+    const Spot now = spot_on(fair, at.j, at.t), was = spot_on(few.data, at.j, at.t);
+    double ox = (now.x - was.x) + (1 - at.keeps) * (was.x - dx);
+    double oy = (now.y - was.y) + (1 - at.keeps) * (was.y - dy);
+    const double off = std::hypot(ox, oy);
     if (goal.bound > 0 && off > goal.bound) {
-        x = goal.data.x[i] + goal.bound / off * ox;
-        y = goal.data.y[i] + goal.bound / off * oy;
+        ox *= goal.bound / off;
+        oy *= goal.bound / off;
     }
-    whole.x[i] = x;
-    whole.y[i] = y;
+    whole.x[at.i] = dx + ox;
+    whole.y[at.i] = dy + oy;
 }
 
 }  // namespace
@@ -102,10 +130,11 @@ PlaneResult faired_thinly(const PlaneGoal& goal, const PlaneWish& wish) {
         if (is_last && !goal.data.closed) break;
         const std::size_t end = is_last ? n + kept.front() : kept[k + 1];
         double total = 0, s = 0;
+        const double keeps = kept_share(few.data, k, result, goal.sigma);
         for (std::size_t i = kept[k]; i < end; ++i) total += goal.data.edge(i % n);
         for (std::size_t i = kept[k] + 1; i < end; ++i) {
             s += goal.data.edge((i - 1) % n);
-            place(result.track, i % n, fair, k, s / total, goal);
+            place(result.track, {i % n, k, s / total, keeps}, fair, few, goal);
         }
     }
     return result;

@@ -12,7 +12,8 @@ namespace batten::fairing {
 bool is_crowded(const Track& track);
 
 /// Fairing of a crowded track: points at least a fifth of the median edge apart are made fair, the
-/// others are put on the cubics between these, by their share of the arc length.
+/// others are put on the cubics between these, by their share of the arc length, and keep of their
+/// distance from the cubics of the data what lambda leaves of waves of two edges.
 PlaneResult faired_thinly(const PlaneGoal& goal, const PlaneWish& wish);
 
 }  // namespace batten::fairing

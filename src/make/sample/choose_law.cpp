@@ -71,7 +71,7 @@ ChosenLaw fastest_law(const Curve& curve, const ArcLengthMap& map, const SampleO
                "time-optimal finds the duration itself");
     }
     TimedLaw found = time_optimal_law(curve, map, limits);
-    return {std::move(found.law), found.duration, 0, std::nullopt};
+    return {std::move(found.law), found.duration, 0, std::nullopt, found.corners};
 }
 
 MotionLaw along_time(const ArcLengthMap& map, const Curve& curve, const SampleOptions& options) {
@@ -120,6 +120,31 @@ std::optional<PlaceWeights> place_weights(const SampleOptions& options) {
     return weights;
 }
 
+/// An option of one law is refused with another: it would be ignored.
+void require_its_law(const SampleOptions& o) {
+    const SampleOptions usual;
+    const auto require = [&o](bool is_given, const char* name, Law law, Law other) {
+        if (!is_given || o.law == law || o.law == other) return;
+        const std::string rule = "goes with law " + std::string(name_of(law)) +
+                                 (law == other ? "" : " or " + std::string(name_of(other))) +
+                                 " only";
+        refuse(name, "with law " + std::string(name_of(o.law)), rule.c_str());
+    };
+    const auto require_one = [&](bool is_given, const char* name, Law law) {
+        require(is_given, name, law, law);
+    };
+    require(o.start_speed.has_value(), "start_speed", Law::accelerate, Law::decelerate);
+    require(o.end_speed.has_value(), "end_speed", Law::accelerate, Law::decelerate);
+    require_one(o.ramp != usual.ramp, "ramp", Law::trapezoid);
+    require_one(o.accel_time != usual.accel_time, "accel_time", Law::s_curve);
+    require_one(o.jerk_time != usual.jerk_time, "jerk_time", Law::s_curve);
+    require_one(!o.positions.empty(), "positions", Law::positions);
+    require_one(!o.keys.empty(), "keys", Law::keyframes);
+    require_one(o.max_speed.has_value(), "max_speed", Law::time_optimal);
+    require_one(o.max_lateral.has_value(), "max_lateral", Law::time_optimal);
+    require_one(o.max_tangential.has_value(), "max_tangential", Law::time_optimal);
+}
+
 void require_range(const char* name, double x, const Limits& limits) {
     if (limits.accept(x) && std::isfinite(x)) return;
     throw Error("option.range", name, format_number(x),
@@ -144,6 +169,7 @@ void require_ranges(const SampleOptions& options) {
 }
 
 ChosenLaw choose_law(const Curve& curve, const ArcLengthMap& map, const SampleOptions& options) {
+    require_its_law(options);
     const std::optional<PlaceWeights> weights = place_weights(options);
     const bool knows_places = options.law == Law::chord || options.law == Law::time_optimal ||
                               options.law == Law::positions || options.law == Law::parameter ||

@@ -46,6 +46,10 @@ Sampling sample(const Curve& curve, const SampleOptions& options) {
         throw Error("sample.options", "between", std::to_string(*options.between),
                     "points between joints are for law parameter");
     }
+    if (options.walked_length != WalkedLength::exact) {
+        throw Error("sample.options", "walked_length", std::string(name_of(options.walked_length)),
+                    "goes with method harada-nakamae only");
+    }
     const ArcLengthMap map(curve);
     const ChosenLaw chosen = sampling::choose_law(curve, map, options);
     const Timing timing = sampling::timing_of(chosen, map.length(), options);
@@ -69,6 +73,10 @@ Sampling sample(const Curve& curve, const SampleOptions& options) {
     result.report.max_spacing_error = error;
     result.report.duration = timing.duration;
     result.report.samples = places.size();
+    if (chosen.corners > 0) {
+        result.report.notes.push_back("the walk stops at corners of the curve: " +
+                                      std::to_string(chosen.corners));
+    }
     if (options.law == Law::chord && error > chords_equal * map.length()) {
         result.report.status = Status::not_converged;
         result.report.notes.push_back("the chords could not be made equal: too few for the bends");

@@ -88,6 +88,8 @@ std::vector<SpeedLimit::Place> SpeedLimit::places() const {
         double q = limits_.speed * limits_.speed;
         if (i > 0) q = std::fmin(q, at_parameter(t[i], 0.5 * (t[i - 1] + t[i])));
         if (i + 1 < t.size()) q = std::fmin(q, at_parameter(t[i], 0.5 * (t[i] + t[i + 1])));
+        const bool is_inner = i > 0 && i + 1 < t.size();
+        if (is_inner && is_corner(t[i], 0.5 * (t[i - 1] + t[i]), 0.5 * (t[i] + t[i + 1]))) q = 0;
         const double s = map_.s_of(t[i]);
         if (!result.empty() && s <= result.back().s) {
             result.back().q = std::fmin(result.back().q, q);
@@ -96,6 +98,36 @@ std::vector<SpeedLimit::Place> SpeedLimit::places() const {
         result.push_back({t[i], s, q});
     }
     return result;
+}
+
+bool SpeedLimit::is_corner(double t, double before, double after) const {
+    const auto along = [&](double inside) {
+        const std::size_t piece = curve_.piece_of(inside);
+        Jet jet = curve_.jet_on(piece, t, 1);
+        const auto is_still = [&] {
+            return std::all_of(jet[1].begin(), jet[1].end(), [](double x) { return x == 0; });
+        };
+        if (is_still()) jet = curve_.jet_on(piece, t + 0x1p-20 * (inside - t), 1);
+        std::vector<double> unit(jet[1].begin(), jet[1].end());
+        double size = 0;
+        for (const double x : unit) size = std::hypot(size, x);
+        for (double& x : unit) x = size > 0 ? x / size : 0;
+        return unit;
+    };
+    if (curve_.piece_of(before) == curve_.piece_of(after)) return false;
+    const std::vector<double> in = along(before), out = along(after);
+    double chord = 0;
+    for (std::size_t k = 0; k < in.size(); ++k) chord = std::hypot(chord, out[k] - in[k]);
+    return chord > sharp;
+}
+
+std::size_t SpeedLimit::corners() const {
+    std::size_t count = 0;
+    for (std::size_t i = 1; i < curve_.pieces(); ++i) {
+        const Interval before = curve_.piece(i - 1), after = curve_.piece(i);
+        count += is_corner(after.lo, before.middle(), after.middle()) ? 1 : 0;
+    }
+    return count;
 }
 
 double SpeedLimit::time(double from, double to, double inside) const {

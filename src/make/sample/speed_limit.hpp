@@ -23,6 +23,11 @@ public:
     };
     std::vector<Place> places() const;
 
+    /// Inner joints where the direction jumps by more than `sharp`: the limit is 0 there.
+    std::size_t corners() const;
+    /// Radians: smaller turns are the rounding of files.
+    static constexpr double sharp = 1e-3;
+
     /// The limit at s, as a place of the piece that also holds `inside` (a parameter).
     double at(double s, double inside) const { return at_parameter(map_.t_of(s), inside); }
     /// int ds / sqrt(q) along the limit.
@@ -34,6 +39,7 @@ private:
     };
     Bend bend_at(double t, double inside) const;
     double at_parameter(double t, double inside) const;
+    bool is_corner(double t, double before, double after) const;
     void add_changes(Interval cell, std::vector<double>& t) const;
 
     Curve curve_;

@@ -150,7 +150,7 @@ TimedLaw time_optimal_law(const Curve& curve, const ArcLengthMap& map,
                 const State state = state_in(leg, now - leg.start, *limit);
                 return {tau >= 1 ? 1 : state.s / length, state.v * duration / length};
             }),
-            duration};
+            duration, limit->corners()};
 }
 
 }  // namespace batten

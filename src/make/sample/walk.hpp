@@ -18,6 +18,7 @@ struct ChosenLaw {
     std::optional<double> duration;
     double start = 0;
     std::optional<std::size_t> samples;  ///< where the law itself says how many
+    std::size_t corners = 0;             ///< where it stops on its way
 };
 
 /// Throws `option.missing` and `sample.options` where options are missing or in each other's way,

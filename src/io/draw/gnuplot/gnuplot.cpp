@@ -216,7 +216,8 @@ std::string labels_of(const ReadyPanel& ready) {
 std::string panel_script(const ReadyPanel& ready, std::size_t index, std::set<std::string>& named) {
     const Panel& panel = *ready.panel;
     const std::string place = "panel " + std::to_string(index);
-    std::string text = "set title " + quoted(panel.caption) + "\nset xlabel " +
+    std::string text = "set title " + quoted(panel.caption) + " tc rgb \"" +
+                       std::string(ink_color) + "\"\nset xlabel " +
                        quoted(panel.x_label) + "\nset ylabel " + quoted(panel.y_label) + '\n';
     const bool is_space = ready.box.dim == 3;
     text += range_of("x", ready.box.sides[0], ready.is_log[0]);
@@ -271,7 +272,7 @@ std::string gnuplot_script(const Drawing& drawing, ChartFormat format) {
                        "\nset border 3 lc rgb \"" + std::string(axis_color) +
                        "\"\nset tics nomirror tc rgb \"" + std::string(text_color) +
                        "\"\nset grid lc rgb \"" + std::string(grid_color) +
-                       "\" lt 1\nset key bmargin center horizontal samplen 2\n";
+                       "\" lt 1\nset key tmargin right horizontal samplen 2\n";
     std::string title = drawing.title;
     if (!drawing.subtitle.empty()) title += (title.empty() ? "" : " — ") + drawing.subtitle;
     text += "set multiplot layout " + std::to_string(rows) + ',' + std::to_string(columns) +

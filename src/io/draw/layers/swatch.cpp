@@ -1,11 +1,20 @@
 #include "io/draw/layers/swatch.hpp"
 
+#include <algorithm>
+
 #include "io/draw/layers/marks.hpp"
 #include "io/draw/scene/ramp.hpp"
 #include "io/draw/scene/theme.hpp"
 
 namespace batten::drawing {
 namespace {
+
+/// Bars and ticks of a chart: each run goes straight up.
+bool are_upright(const std::vector<Points>& runs) {
+    return !runs.empty() && std::all_of(runs.begin(), runs.end(), [](const Points& run) {
+        return run.size() == 2 && run(0, 0) == run(1, 0) && run(0, 1) != run(1, 1);
+    });
+}
 
 /// How a layer looks in the legend, from `left` to the right.
 struct Swatch {
@@ -32,7 +41,10 @@ struct Swatch {
     }
 
     void operator()(const CurveLayer& layer) { line(line_paint(layer.line, tone)); }
-    void operator()(const PolylineLayer& layer) { line(line_paint(layer.line, tone)); }
+    void operator()(const PolylineLayer& layer) {
+        const Paint paint = line_paint(layer.line, tone);
+        are_upright(layer.runs) ? strokes(2, paint) : line(paint);
+    }
     void operator()(const PointsLayer& layer) {
         scene.add(DotsShape{{at(0.5, 0)}, 3, dot_paint(layer.marker, tone, 3)});
     }
