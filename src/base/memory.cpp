@@ -6,7 +6,7 @@
 #include <sys/mman.h>
 #endif
 
-namespace batten {
+namespace batten::memory {
 namespace {
 
 constexpr std::size_t large_page = std::size_t{1} << 21;
@@ -33,4 +33,4 @@ std::shared_ptr<double[]> unwritten_numbers(std::size_t count) {
     return numbers;
 }
 
-}  // namespace batten
+}  // namespace batten::memory

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <memory>
 
-namespace batten {
+namespace batten::memory {
 
 /// Memory for many numbers, not written yet.
 ///
@@ -11,4 +11,4 @@ namespace batten {
 /// where it knows such: the first touch of a page can cost more than what is computed into it.
 std::shared_ptr<double[]> unwritten_numbers(std::size_t count);
 
-}  // namespace batten
+}  // namespace batten::memory

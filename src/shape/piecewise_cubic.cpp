@@ -148,6 +148,6 @@ namespace batten::cubics {
 Room::Room(std::size_t joints, int dim)
     : joints_(joints),
       dim_(dim),
-      numbers_(unwritten_numbers((4 * static_cast<std::size_t>(dim) + 1) * joints)) {}
+      numbers_(memory::unwritten_numbers((4 * static_cast<std::size_t>(dim) + 1) * joints)) {}
 
 }  // namespace batten::cubics

@@ -44,8 +44,10 @@ Interpolation interpolate(PointsView points, const InterpolateOptions& options) 
 
 Curve curve_through(PointsView points, const InterpolateOptions& options) {
     interpolation::Request request = interpolation::checked_but_for_chords(points, options);
-    if (options.method == Method::natural_chord) {
-        if (auto plain = interpolation::plain_natural_curve(request.outline.points)) {
+    const interpolation::Outline& outline = request.outline;
+    if (options.method == Method::natural_chord && !outline.closed &&
+        outline.corners.empty() && outline.angles.empty()) {
+        if (auto plain = interpolation::plain_natural_curve(outline.points)) {
             return part_of(*std::move(plain), options);
         }
     }
