@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "batten/make/interpolate.hpp"
@@ -14,6 +15,23 @@ Points wave(std::size_t n) {
         const double x = static_cast<double>(i);
         points(i, 0) = x + 0.3 * std::sin(x);
         points(i, 1) = std::sin(0.7 * x) + 0.2 * std::cos(1.9 * x);
+    }
+    return points;
+}
+
+Points sharp_way(std::size_t n) {
+    constexpr double most = 100 * std::numbers::pi / 180;
+    std::mt19937_64 engine(7);
+    std::uniform_real_distribution<double> turn(-most, most), step(0.5, 1.5);
+    Points points(n, 2);
+    double x = 0, y = 0, direction = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        points(i, 0) = x;
+        points(i, 1) = y;
+        direction += turn(engine);
+        const double length = step(engine);
+        x += length * std::cos(direction);
+        y += length * std::sin(direction);
     }
     return points;
 }

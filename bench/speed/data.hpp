@@ -15,6 +15,9 @@ namespace batten::bench {
 /// A wave with n points, no two of its chords alike.
 Points wave(std::size_t n);
 
+/// A way with turns of up to 100 degrees to either side and steps of 0.5 to 1.5.
+Points sharp_way(std::size_t n);
+
 /// The wave's parameters, from 0 by the chords, into `t`, one for each point.
 void fill_chord_parameters(const Points& points, std::span<double> t);
 

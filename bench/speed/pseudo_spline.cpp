@@ -11,8 +11,8 @@
 namespace batten::bench {
 namespace {
 
-void by_batten(benchmark::State& state, std::size_t n) {
-    const Points points = wave(n);
+void by_batten(benchmark::State& state, const Points& points) {
+    const std::size_t n = points.size();
     std::vector<double> block(8 * n);
     for (auto _ : state) {
         const PseudoSplineMeasures measures = pseudo_spline(points, {}, block);
@@ -61,7 +61,10 @@ void by_spiro(benchmark::State& state, std::size_t n) {
 const bool registered = [] {
     for (const std::size_t n : {100, 1000, 10'000, 100'000, 1'000'000}) {
         benchmark::RegisterBenchmark(name_of("pseudo-spline", "batten", n).c_str(),
-                                     [n](benchmark::State& state) { by_batten(state, n); });
+                                     [n](benchmark::State& state) { by_batten(state, wave(n)); });
+        benchmark::RegisterBenchmark(
+            name_of("pseudo-spline-sharp", "batten", n).c_str(),
+            [n](benchmark::State& state) { by_batten(state, sharp_way(n)); });
     }
     for (const std::size_t n : {100, 1000, 10'000, 100'000}) {
         benchmark::RegisterBenchmark(name_of("pseudo-spline", "libspiro", n).c_str(),

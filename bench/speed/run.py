@@ -23,6 +23,7 @@ OPERATIONS = {
     "evaluate-random": "The same, parameters in no order",
     "evaluate-derivatives": "The same, sorted, with two derivatives",
     "pseudo-spline": "Pseudo-spline with length and area, ns a point",
+    "pseudo-spline-sharp": "The same, turns of up to 100 degrees",
     "length": "Length of cubic pieces to 1e-12, ns a piece",
     "area": "Area of cubic pieces, ns a piece",
 }
@@ -92,6 +93,17 @@ def growth(found, sizes):
             f"(linear work: 1).\n")
 
 
+def beside_copy(operation, medians):
+    """The floor: input and output of a million values copied, both in cache."""
+    floor = medians["copy/machine/1000000"]
+    ours = [(name.split("/")[2], ns / floor) for name, ns in medians.items()
+            if name.startswith(operation + "/batten/")]
+    if not ours:
+        return ""
+    return ("\nBeside a copy of the parameters to the values (10⁶ doubles, in cache): "
+            + ", ".join(f"{ratio:.1f} × at {int(size):,} knots" for size, ratio in ours) + ".\n")
+
+
 def version(package):
     done = subprocess.run(["dpkg-query", "-W", "-f=${Version}", package], capture_output=True,
                           text=True)
@@ -124,6 +136,8 @@ def page(medians, loads):
     for operation, title in OPERATIONS.items():
         if any(name.startswith(operation + "/") for name in medians):
             text += f"\n## {title}\n\n{table(operation, medians)}"
+        if operation == "evaluate-sorted":
+            text += beside_copy(operation, medians)
     return text
 
 

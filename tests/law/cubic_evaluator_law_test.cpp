@@ -10,6 +10,7 @@
 #include <new>
 #include <optional>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "batten/api/operation.hpp"
@@ -190,8 +191,10 @@ TEST(Operations, HoldTheOwnerOfPointsAndMakeNoCopyOfThem) {
     const auto points = std::make_shared<const Points>(gentle_way(2000, 3));
     const std::size_t bytes = points->coordinates().size_bytes();
     const Operation& operation = *find_operation("interpolate");
+    PointsInput given;
+    given.borrowed = SharedPoints(*points, points);
     std::vector<Input> inputs(1);
-    inputs[0] = {"points", PointsInput{{}, {}, SharedPoints(*points, points), {}}};
+    inputs[0].content = std::move(given);
     std::optional<Outcome> outcome;
     const long by_operation =
         blocks_of(bytes, [&] { outcome = operation.run(inputs, {}, Progress()); });

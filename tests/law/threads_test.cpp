@@ -5,7 +5,9 @@
 #include <thread>
 #include <vector>
 
+#include "batten/make/pseudo_spline.hpp"
 #include "batten/measure/arc_length_map.hpp"
+#include "batten/shape/cubic_evaluator.hpp"
 #include "batten/shape/curve.hpp"
 #include "batten/shape/piecewise_cubic.hpp"
 
@@ -106,6 +108,37 @@ TEST(OneArcLengthMapInManyThreads, GivesTheSameBitsAsItsPiecesAreMade) {
     }
     for (std::thread& thread : threads) thread.join();
     for (const std::vector<double>& result : results) EXPECT_EQ(result, alone);
+}
+
+// The tables are unpacked, and the processor asked what it offers, by whoever comes first.
+TEST(PseudoSplinesAndOneEvaluatorInManyThreads, GiveTheSameBits) {
+    batten::Points points(400, 2);
+    double direction = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        direction += 1.7 * std::sin(1.3 * static_cast<double>(i));
+        points(i, 0) = points(i - 1, 0) + std::cos(direction);
+        points(i, 1) = points(i - 1, 1) + std::sin(direction);
+    }
+    const Curve spiral = spiral_of_cubics(100);
+    const batten::CubicEvaluator evaluator(*spiral.shape<batten::PiecewiseCubic>());
+    std::vector<double> t(5000);
+    for (std::size_t i = 0; i < t.size(); ++i) {
+        t[i] = spiral.domain().hi * static_cast<double>(i) / static_cast<double>(t.size());
+    }
+    std::vector<double> lengths(8);
+    std::vector<std::vector<double>> values(8, std::vector<double>(2 * t.size()));
+    std::vector<std::thread> threads;
+    for (std::size_t k = 0; k < lengths.size(); ++k) {
+        threads.emplace_back([&, k] {
+            lengths[k] = batten::pseudo_spline(points).length;
+            evaluator.evaluate(t, 0, values[k]);
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+    for (std::size_t k = 1; k < lengths.size(); ++k) {
+        EXPECT_EQ(lengths[k], lengths[0]);
+        EXPECT_EQ(values[k], values[0]);
+    }
 }
 
 }  // namespace

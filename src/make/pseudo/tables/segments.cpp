@@ -153,14 +153,20 @@ patches::Place place_of(const Seen& s) {
 /// the tables of the strip are made.
 constexpr double most_polished = 0.4;
 
-/// One step of Newton's method on the gradient.
+/// Newton's method on the gradient: one step, up to three where r was not known to 1e-6.
 TabulatedSegment polished(TabulatedSegment s, const AnglePair& a) {
-    const Expansion<2> j = expand_magnitudes({a.theta0, a.theta1, s.r0, s.r1});
-    const auto step = shifted_newton_step<2>({j.value, j.gradient, j.hessian}, 0);
-    constexpr double most = 0.01;
-    if (!step || !(std::fmax(std::fabs((*step)[0]), std::fabs((*step)[1])) < most)) return s;
-    s.r0 *= std::exp((*step)[0]);
-    s.r1 *= std::exp((*step)[1]);
+    constexpr int most_steps = 3;
+    constexpr double large = 0.01, small = 1e-6;
+    for (int i = 0; i < most_steps; ++i) {
+        const Expansion<2> j = expand_magnitudes({a.theta0, a.theta1, s.r0, s.r1});
+        const auto step = shifted_newton_step<2>({j.value, j.gradient, j.hessian}, 0);
+        if (!step) break;
+        const double size = std::fmax(std::fabs((*step)[0]), std::fabs((*step)[1]));
+        if (!(size < large)) break;
+        s.r0 *= std::exp((*step)[0]);
+        s.r1 *= std::exp((*step)[1]);
+        if (size < small) break;
+    }
     return s;
 }
 

@@ -22,8 +22,9 @@ struct TabulatedSegment {
 /// Accuracy: J 1e-12 relative, r 1e-8, L 1e-9, all absolute on the unit chord, but
 ///           * J 1e-9, r and L 1e-6 within 2 degrees of (pi, 0), (pi, pi), (pi, -pi);
 ///           * r only as well as J knows it where |theta0| and |theta0 + theta1| are below 3
-///             degrees, and along the crease of charts.hpp below 20 degrees: the segment's own J is
-///             within 1e-11 of the one returned.
+///             degrees, and along the crease of charts.hpp below 10 degrees, where J is so flat that
+///             the minimiser itself repeats r to 1e-5 only: the segment's own J is within 1e-11 of
+///             the one returned.
 ///           Where the tables have nothing (one in 10^4 random pairs) the minimiser is called.
 /// Cost:     70 to 180 ns; the first call unpacks the tables, 5 ms.
 TabulatedSegment tabulated_segment(double theta0, double theta1);
