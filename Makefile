@@ -19,6 +19,7 @@ build: ## build the library and the command, build/release/bin/batten
 	@$(call compile,release,product)
 
 demo: build ## draw fair curves through real data, into build/demo
+	@./setup.sh demo
 	@tools/demo.sh
 
 tables: ## build the tables of the pseudo-spline again, and check them on a million pairs

@@ -5,6 +5,7 @@ set -euo pipefail
 declare -A packages=(
     [core]="g++ cmake ninja-build make libeigen3-dev libboost-dev libcli11-dev libfmt-dev
             nlohmann-json3-dev libpng-dev"
+    [demo]="python3"
     [test]="libgtest-dev librapidcheck-dev python3 python3-ezdxf pkg-config"
     [python]="python3-dev python3-numpy pybind11-dev"
     [package]="dpkg-dev file"
@@ -18,6 +19,7 @@ declare -A packages=(
 )
 declare -A purposes=(
     [core]="the library and the command"
+    [demo]="the demo's own data (make demo)"
     [test]="the tests (make test, make asan, make tsan)"
     [python]="the Python module and its tests (make python)"
     [package]="the .tar.gz and the .deb (make package)"
@@ -29,7 +31,7 @@ declare -A purposes=(
     [reference]="the programs in tools/ that remake reference data"
     [develop]="faster rebuilds, one layout of the sources"
 )
-order="core test python package bench clang wasm gdal draw reference develop"
+order="core demo test python package bench clang wasm gdal draw reference develop"
 
 usage() {
     local each

@@ -142,7 +142,7 @@ void add_stripes(Drawing& drawing, const CoonsPatch& patch, const ZebraView& vie
 
 /// The patch as a lit sheet with lines of equal u and of equal v.
 SheetLayer sheet_of(const CoonsPatch& patch) {
-    constexpr int cells = 48, cells_a_line = 6;
+    constexpr int cells = 36, cells_a_line = 4;
     SheetLayer sheet;
     sheet.nodes = Grid(cells + 1, cells + 1, 3);
     for (int i = 0; i <= cells; ++i) {

@@ -9,6 +9,7 @@
 #include "batten/base/text.hpp"
 #include "batten/io/draw/gnuplot.hpp"
 #include "batten/io/draw/surface_plots.hpp"
+#include "batten/make/interpolate.hpp"
 #include "errors.hpp"
 #include "shared.hpp"
 
@@ -130,6 +131,22 @@ TEST(Picture, OfContoursShowsThemAsAMapAndUponTheSurface) {
     EXPECT_TRUE(is_golden("contour.svg", svg(traced.draw())));
     const Outcome none = find_operation("contour")->run({&input, 1}, {{"levels", "500"}}, {});
     EXPECT_EQ(none.draw().panels.size(), 1u);
+}
+
+TEST(Picture, OfACoonsPatchIsALitSheetWithItsParameterLines) {
+    const auto side = [](std::vector<double> ends) {
+        return Input{"side", curve_through(Points(std::move(ends), 3), {})};
+    };
+    const std::vector<Input> sides{side({0, 0, 0, 1, 0, 1, 2, 0, 0}), side({0, 1, 0, 2, 1, 0}),
+                                   side({0, 0, 0, 0, 1, 0}), side({2, 0, 0, 2, 1, 0})};
+    const Drawing drawing = find_operation("coons")->run(sides, {}, {}).draw();
+    ASSERT_EQ(drawing.panels[0].layers.size(), 1u);
+    const auto* sheet = std::get_if<SheetLayer>(&drawing.panels[0].layers[0]);
+    ASSERT_NE(sheet, nullptr);
+    EXPECT_EQ(sheet->lines.size(), 20u);
+    // The middle of the patch is halfway between its arched and its straight side.
+    EXPECT_NEAR(sheet->nodes(18, 18, 2), 0.5, 1e-12);
+    EXPECT_NE(svg(drawing).find("<path"), std::string::npos);
 }
 
 TEST(Gnuplot, IsToldReliefsAndMaps) {
