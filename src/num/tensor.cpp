@@ -53,6 +53,24 @@ BATTEN_TENSOR_CLONES void add_rows_4(const double* z, std::size_t stride, const 
     }
 }
 
+/// The same for four functions at once: a[4 i + q] weighs row q for the sums i * block away.
+BATTEN_TENSOR_CLONES void add_rows_4x4(const double* z, std::size_t stride, const double* a,
+                                       std::size_t count, double* __restrict sums) {
+    const double* const z1 = z + stride;
+    const double* const z2 = z1 + stride;
+    const double* const z3 = z2 + stride;
+    double* __restrict const t1 = sums + block;
+    double* __restrict const t2 = t1 + block;
+    double* __restrict const t3 = t2 + block;
+    for (std::size_t s = 0; s < count; ++s) {
+        const double u0 = z[s], u1 = z1[s], u2 = z2[s], u3 = z3[s];
+        sums[s] += (a[0] * u0 + a[1] * u1) + (a[2] * u2 + a[3] * u3);
+        t1[s] += (a[4] * u0 + a[5] * u1) + (a[6] * u2 + a[7] * u3);
+        t2[s] += (a[8] * u0 + a[9] * u1) + (a[10] * u2 + a[11] * u3);
+        t3[s] += (a[12] * u0 + a[13] * u1) + (a[14] * u2 + a[15] * u3);
+    }
+}
+
 BATTEN_TENSOR_CLONES void add_row(const double* z, double a, std::size_t count,
                                   double* __restrict sums) {
     for (std::size_t s = 0; s < count; ++s) sums[s] += a * z[s];
@@ -66,6 +84,24 @@ double dot(const double* a, const double* b, std::size_t count) {
     }
     for (; s < count; ++s) lane[0] += a[s] * b[s];
     return (lane[0] + lane[1]) + (lane[2] + lane[3]);
+}
+
+/// out[j] += dot of `from` and y[j * stride ...], four at once; each as `dot`.
+BATTEN_TENSOR_CLONES void add_dots_4(const double* from, const double* y, std::size_t stride,
+                                     std::size_t count, double* out) {
+    double lane[4][4] = {};
+    std::size_t s = 0;
+    for (; s + 4 <= count; s += 4) {
+        for (std::size_t j = 0; j < 4; ++j) {
+            for (std::size_t l = 0; l < 4; ++l) {
+                lane[j][l] += from[s + l] * y[j * stride + s + l];
+            }
+        }
+    }
+    for (std::size_t j = 0; j < 4; ++j) {
+        for (std::size_t t = s; t < count; ++t) lane[j][0] += from[t] * y[j * stride + t];
+        out[j] += (lane[j][0] + lane[j][1]) + (lane[j][2] + lane[j][3]);
+    }
 }
 
 }  // namespace
@@ -118,6 +154,11 @@ void Tensor::flush(const double* sums, PlaceRange columns, std::size_t run, std:
         for (std::size_t q = run; q < runs_.size() && runs_[q].first < columns.last; ++q) {
             const Run& at = runs_[q];
             const double* const from = sums + i * block + (at.first - columns.first);
+            if (y_order == 4) {
+                add_dots_4(from, y_turned_.data() + at.first, places, at.last - at.first,
+                           row + at.function);
+                continue;
+            }
             for (std::size_t j = 0; j < y_order; ++j) {
                 row[at.function + j] += dot(from, y_turned_.data() + j * places + at.first,
                                             at.last - at.first);
@@ -138,6 +179,13 @@ void Tensor::contract(std::span<const double> z, PlaceRange rows, std::span<doub
             for (; r < rows.last && x_->first[r] == function;) {
                 const double* const from = z.data() + (r - rows.first) * places + columns.first;
                 const bool is_four = r + 4 <= rows.last && x_->first[r + 3] == function;
+                if (is_four && order == 4) {
+                    double all[16];
+                    for (std::size_t k = 0; k < 16; ++k) all[k] = x_->at(r + k % 4)[k / 4];
+                    add_rows_4x4(from, places, all, columns.count(), sums.data());
+                    r += 4;
+                    continue;
+                }
                 for (std::size_t i = 0; i < order; ++i) {
                     double* const to = sums.data() + i * block;
                     if (!is_four) {

@@ -18,6 +18,29 @@ double plains(double x, double y, double w) {
            (0.9 + 0.2 * y - 0.3 * x) * 0.5 * (1 - std::tanh((x - front_of(y)) / w));
 }
 
+/// What scintillator_like.csv was made with.
+double scintillator_truth(double x, double y) {
+    const double hill =
+        0.9 * std::exp(-((x - 0.45) * (x - 0.45) / 0.18 + (y - 0.6) * (y - 0.6) / 0.35));
+    const double step = 0.5 * (1 + std::tanh((front_of(y) - x) / 0.006));
+    return (0.25 + hill) * step * (1 + 0.15 * std::sin(3 * x)) +
+           0.12 * std::exp(-3 * (x - 0.2) * (x - 0.2)) * (0.4 + 0.6 * y) + 0.02;
+}
+
+/// Root mean square distance over 500 x 40 places between the nodes.
+template <class Truth>
+double distance_between(const CurvedKnotSurface& surface, Truth truth) {
+    double sum = 0;
+    for (int i = 0; i < 500; ++i) {
+        for (int j = 0; j < 40; ++j) {
+            const double x = (i + 0.5) / 500, y = (j + 0.5) / 40;
+            const double e = surface(x, y) - truth(x, y);
+            sum += e * e / (500 * 40);
+        }
+    }
+    return std::sqrt(sum);
+}
+
 struct Trial {
     FrontFit fit;
     double noise_sigma2 = 0;  ///< what the truth leaves of the same data
@@ -36,15 +59,7 @@ Trial trial(double w, double sigma) {
             result.noise_sigma2 += e * e / (156 * 21);
         }
     }
-    double sum = 0;
-    for (int i = 0; i < 500; ++i) {
-        for (int j = 0; j < 40; ++j) {
-            const double x = (i + 0.5) / 500, y = (j + 0.5) / 40;
-            const double e = result.fit.surface(x, y) - truth(x, y);
-            sum += e * e / (500 * 40);
-        }
-    }
-    result.distance = std::sqrt(sum);
+    result.distance = distance_between(result.fit.surface, truth);
     return result;
 }
 
@@ -58,6 +73,7 @@ TEST(Front, NeedsEightyParametersWhereATensorProductNeedsThousands) {
     EXPECT_LE(r.sigma2, 1.15);
     EXPECT_LE(r.parameters + r.line_parameters, 80);
     EXPECT_TRUE(r.has_front);
+    EXPECT_LE(distance_between(made.surface, scintillator_truth), 0.005);
     EXPECT_LT(r.bic, r.tensor_bic / 2);
 }
 

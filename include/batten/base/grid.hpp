@@ -25,6 +25,8 @@ public:
     bool has(std::size_t i, std::size_t j) const {
         return mask_.empty() || mask_[i * nv_ + j] != 0;
     }
+    /// Whether nodes may be missing.
+    bool has_mask() const { return !mask_.empty(); }
     std::span<const double> values() const {
         return {data_, nu_ * nv_ * static_cast<std::size_t>(dim_)};
     }

@@ -96,7 +96,7 @@ void visit_fields(const FitSurfaceReport& r, Visit&& visit) {
     visit("oscillation", r.oscillation,
           "how the surface bends between nodes, against how its nodes bend: about 1 where it is "
           "smooth, large where it swings between them");
-    visit("path", r.path, "every pair of numbers of strips tried");
+    visit("path", r.path, "every pair of numbers of strips tried; psi only where nodes were read for it");
     visit("samples", r.samples, "N: nodes with a height");
     visit("missing", r.missing, "nodes without one");
     visit("sigma_source", r.sigma_source, "where the errors of the data come from");

@@ -48,7 +48,7 @@ SurfaceStep step_of(const Lattice& lattice) {
     step.bic = c.bic;
     step.aicc = c.aicc;
     step.gcv = c.gcv;
-    step.psi.assign(misfit.psi.begin(), misfit.psi.end());
+    if (!misfit.psi_is_missing) step.psi.assign(misfit.psi.begin(), misfit.psi.end());
     return step;
 }
 
@@ -74,8 +74,14 @@ public:
             }
         }
         const int degree = lattice_.degree();
-        return {clamped_knots(x_breaks_[chosen], degree), clamped_knots(y_breaks_[chosen], degree),
-                std::move(steps_), {}, 0, is_met_};
+        SurfaceChoice choice{clamped_knots(x_breaks_[chosen], degree),
+                             clamped_knots(y_breaks_[chosen], degree), {}, {}, 0, is_met_};
+        if (chosen + 1 == steps_.size() && lattice_.is_final()) {
+            choice.solution = lattice_.solution();
+            choice.misfit = lattice_.misfit();
+        }
+        choice.path = std::move(steps_);
+        return choice;
     }
 
 private:
@@ -122,6 +128,9 @@ private:
 };
 
 SurfaceChoice insert_lines(Lattice& lattice, const Target& target) {
+    if (target.rule != StopRule::distribution || target.exactly[0] > 0 || target.delta2 > 0) {
+        lattice.compress();
+    }
     LineSearch search(lattice, target);
     while (search.step_wants_more()) {
         const std::optional<Lattice::Strip> strip = lattice.worst(target.exactly);
@@ -232,6 +241,7 @@ SurfaceChoice moved_where_free(const Nodes& nodes, const FitSurfaceOptions& opti
     if (options.knots != SurfaceKnots::free) return choice;
     MovedLines moved = move_lines(nodes, std::move(choice.x_knots), std::move(choice.y_knots),
                                   options.degree);
+    choice.solution.reset();
     choice.x_knots = std::move(moved.x_knots);
     choice.y_knots = std::move(moved.y_knots);
     choice.moved = moved.moved;

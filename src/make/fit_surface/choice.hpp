@@ -16,6 +16,8 @@ struct SurfaceChoice {
     int moved = 0;  ///< knot lines whose places were optimised
     bool is_met = true;
     bool is_converged = true;
+    std::optional<Solution> solution = {};  ///< where it is known already, with its misfit
+    Misfit misfit = {};
 };
 
 /// Throws `fit.options`, `fit.knots`, `fit.intervals`, `fit.distribution`, `fit.too-few`.

@@ -16,7 +16,7 @@ struct Cloud {
     Rectangle domain;
     bool sigma_known = false;
     SigmaSource source = SigmaSource::estimated;
-    std::optional<double> sigma;
+    std::optional<double> sigma = {};
 
     std::size_t count() const { return x.size(); }
 };

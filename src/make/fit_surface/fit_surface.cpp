@@ -1,5 +1,7 @@
 #include "batten/make/fit_surface.hpp"
 
+#include <cmath>
+
 #include "batten/base/error.hpp"
 #include "make/fit_surface/choice.hpp"
 #include "make/fit_surface/filled_report.hpp"
@@ -32,8 +34,14 @@ SurfaceFit fit_surface(const SurfaceSamples& samples, const FitSurfaceOptions& o
         throw Error("fit.too-few", "grid", std::to_string(nodes.count) + " nodes",
                     std::to_string(parameters) + " coefficients need at least as many");
     }
-    Solution solution = solve(nodes, x, y, Corrected::where_needed);
-    const Misfit measured = misfit(nodes, x, y, solution.coefficients, std::nullopt);
+    const bool is_known = choice.solution.has_value();
+    Solution solution =
+        is_known ? std::move(*choice.solution) : solve(nodes, x, y, Corrected::where_needed);
+    const Misfit measured =
+        is_known && !choice.misfit.psi_is_missing
+            ? choice.misfit
+            : misfit(nodes, x, y, solution.coefficients, std::nullopt);
+    if (!std::isfinite(measured.delta2)) require_finite_heights(nodes);
     require_finite_solution(solution.coefficients, measured.delta2);
     FitSurfaceReport report;
     report.undetermined = open_coefficients(nodes, x, y);

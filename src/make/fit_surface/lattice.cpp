@@ -1,10 +1,15 @@
 #include "make/fit_surface/lattice.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+
+#include "make/fit_surface/filled_report.hpp"
 
 namespace batten::surface_fitting {
 namespace {
+
+constexpr std::size_t worth_compressing = 50000;  // nodes
 
 std::vector<double> equal_strips(Interval range, int strips) {
     return even_places(range, static_cast<std::size_t>(strips) + 1);
@@ -57,8 +62,33 @@ void Lattice::refit() {
         misfit_ = std::move(fit.misfit);
         return;
     }
-    solution_ = solve(*nodes_, *x_, *y_, Corrected::no);
-    misfit_ = surface_fitting::misfit(*nodes_, *x_, *y_, solution_.coefficients, rule_);
+    if (compressed_ && compressed_->holds(x_breaks_, y_breaks_)) {
+        compressed_->fit(*x_, *y_, solution_, misfit_);
+    } else {
+        solution_ = solve(*nodes_, *x_, *y_, Corrected::no);
+        misfit_ = surface_fitting::misfit(*nodes_, *x_, *y_, solution_.coefficients, rule_);
+    }
+    require_finite_misfit();
+}
+
+void Lattice::compress() {
+    if (!nodes_ || !nodes_->is_full() || nodes_->z.size() < worth_compressing ||
+        rule_ != StripRule::projected || degree_ == 0) {
+        return;
+    }
+    for (int strips = 64; strips >= 8 && !compressed_; strips /= 2) {
+        compressed_ = Compressed::of(*nodes_, degree_, strips);
+    }
+}
+
+void Lattice::require_finite_misfit() const {
+    if (std::isfinite(misfit_.delta2)) return;
+    require_finite_heights(*nodes_);
+    require_finite_solution({}, misfit_.delta2);
+}
+
+bool Lattice::is_final() const {
+    return nodes_ && is_harmless(*x_, *y_);
 }
 
 bool Lattice::can_split(const std::vector<double>& breaks, std::size_t strip,

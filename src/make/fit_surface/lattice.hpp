@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "make/fit_surface/cloud.hpp"
+#include "make/fit_surface/compressed.hpp"
 #include "make/fit_surface/solve.hpp"
 
 namespace batten::surface_fitting {
@@ -25,8 +26,12 @@ public:
     const Solution& solution() const { return solution_; }
     const Misfit& misfit() const { return misfit_; }
 
-    /// Solves and measures for the present lines.
+    /// Solves and measures for the present lines. Throws `points.not-finite`, `number.overflow`.
     void refit();
+    /// Reads the nodes once for many refits, where that is worth while; psi is then not measured.
+    void compress();
+    /// Whether the last refit is what a fit of its own would give.
+    bool is_final() const;
 
     /// The strip with the largest measure that can be split, x before y and low before high where
     /// they are equal; none where nothing can be split. Directions with as many strips as `most`
@@ -44,6 +49,7 @@ public:
     bool is_x_worse() const;
 
 private:
+    void require_finite_misfit() const;
     bool can_split(const std::vector<double>& breaks, std::size_t strip,
                    const std::vector<double>& used) const;
     void set(std::vector<double> x_breaks, std::vector<double> y_breaks);
@@ -57,6 +63,7 @@ private:
     std::unique_ptr<Axis> x_, y_;
     Solution solution_;
     Misfit misfit_;
+    std::unique_ptr<Compressed> compressed_;
 };
 
 }  // namespace batten::surface_fitting

@@ -45,24 +45,6 @@ void require_sigma(std::span<const double> sigma, std::size_t size, const char* 
     }
 }
 
-void require_heights(const SurfaceSamples& given) {
-    double probe[8] = {};  // stays 0 while all are finite
-    const std::span<const double> values = given.z.values();
-    for (std::size_t k = 0; k + 8 <= values.size(); k += 8) {
-        for (std::size_t l = 0; l < 8; ++l) probe[l] += values[k + l] * 0.0;
-    }
-    for (std::size_t k = values.size() / 8 * 8; k < values.size(); ++k) probe[0] += values[k] * 0.0;
-    if (std::all_of(probe, probe + 8, [](double p) { return p == 0; })) return;
-    for (std::size_t r = 0; r < given.x.size(); ++r) {
-        for (std::size_t s = 0; s < given.y.size(); ++s) {
-            if (!given.z.has(r, s) || std::isfinite(given.z(r, s))) continue;
-            throw Error("points.not-finite",
-                        "node " + std::to_string(r) + ',' + std::to_string(s),
-                        format_number(given.z(r, s)), "heights must be finite");
-        }
-    }
-}
-
 /// f(middle) against the line through its neighbours, over the norm of this functional.
 std::array<double, 3> second_difference(std::span<const double> t, std::size_t i) {
     const double left = (t[i + 1] - t[i]) / (t[i + 1] - t[i - 1]);
@@ -170,6 +152,16 @@ std::vector<double> used(const Nodes& nodes, bool by_x) {
 
 }  // namespace
 
+void require_finite_heights(const Nodes& nodes) {
+    for (std::size_t k = 0; k < nodes.z.size(); ++k) {
+        if (std::isfinite(nodes.z[k])) continue;
+        const std::size_t ny = nodes.y.size();
+        throw Error("points.not-finite",
+                    "node " + std::to_string(k / ny) + ',' + std::to_string(k % ny),
+                    format_number(nodes.z[k]), "heights must be finite");
+    }
+}
+
 std::vector<double> Nodes::used_x() const { return used(*this, true); }
 std::vector<double> Nodes::used_y() const { return used(*this, false); }
 
@@ -180,7 +172,6 @@ Nodes prepared_nodes(const SurfaceSamples& given, const FitSurfaceOptions& optio
     require_sigma(given.x_sigma, given.x.size(), "x_sigma");
     require_sigma(given.y_sigma, given.y.size(), "y_sigma");
     require_sigma(given.sigma, size, "sigma");
-    require_heights(given);
 
     Nodes nodes;
     nodes.x = given.x;
@@ -213,7 +204,7 @@ Nodes prepared_nodes(const SurfaceSamples& given, const FitSurfaceOptions& optio
     }
     for (double& weight : nodes.x_weight) weight /= common;
     bool has_holes = false;
-    for (std::size_t r = 0; r < given.x.size() && !has_holes; ++r) {
+    for (std::size_t r = 0; given.z.has_mask() && r < given.x.size() && !has_holes; ++r) {
         for (std::size_t s = 0; s < given.y.size() && !has_holes; ++s) {
             has_holes = !given.z.has(r, s);
         }

@@ -30,7 +30,11 @@ struct Nodes {
     Nodes& operator=(Nodes&&) = default;
 };
 
-/// Checks everything that `fit_surface` promises to check about the samples.
+/// Throws `points.not-finite` at the first height that is none. Asked only where a result is not
+/// finite: one that is not spoils all sums.
+void require_finite_heights(const Nodes& nodes);
+
+/// Checks everything that `fit_surface` promises to check about the samples but their heights.
 Nodes prepared_nodes(const SurfaceSamples& samples, const FitSurfaceOptions& options);
 
 }  // namespace batten::surface_fitting

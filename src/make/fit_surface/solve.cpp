@@ -24,14 +24,6 @@ std::vector<double> turned(const std::vector<double>& matrix, std::size_t rows,
     return result;
 }
 
-/// ((Ax^T Ax)^-1 x (Ay^T Ay)^-1) g.
-std::vector<double> inverted(std::vector<double> g, const Axis& x, const Axis& y) {
-    x.invert_rows(g, y.functions());
-    std::vector<double> t = turned(g, x.functions(), y.functions());
-    y.invert_rows(t, x.functions());
-    return turned(t, y.functions(), x.functions());
-}
-
 /// Both passes over the nodes that every solver needs.
 class Passes {
 public:
@@ -128,12 +120,22 @@ Solution conjugate_gradients(const Passes& passes, const Axis& x, const Axis& y)
 
 }  // namespace
 
+std::vector<double> inverted(std::vector<double> g, const Axis& x, const Axis& y) {
+    x.invert_rows(g, y.functions());
+    std::vector<double> t = turned(g, x.functions(), y.functions());
+    y.invert_rows(t, x.functions());
+    return turned(t, y.functions(), x.functions());
+}
+
+bool is_harmless(const Axis& x, const Axis& y) {
+    return x.spread() * y.spread() <= harmless_spread;
+}
+
 Solution solve(const Nodes& nodes, const Axis& x, const Axis& y, Corrected corrected) {
     const Passes passes(nodes, x, y);
     if (!nodes.is_full()) return conjugate_gradients(passes, x, y);
     Solution result{inverted(passes.gradient(nullptr), x, y)};
-    const bool is_harmless = x.spread() * y.spread() <= harmless_spread;
-    if (corrected == Corrected::where_needed && !is_harmless) {
+    if (corrected == Corrected::where_needed && !is_harmless(x, y)) {
         add_times(result.coefficients, 1,
                   inverted(passes.gradient(&result.coefficients), x, y));
     }

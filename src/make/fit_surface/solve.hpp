@@ -22,12 +22,19 @@ struct Solution {
 enum class Corrected { no, where_needed };
 Solution solve(const Nodes& nodes, const Axis& x, const Axis& y, Corrected corrected);
 
+/// Whether the solution of a full grid needs no correction.
+bool is_harmless(const Axis& x, const Axis& y);
+
+/// ((Ax^T Ax)^-1 x (Ay^T Ay)^-1) g.
+std::vector<double> inverted(std::vector<double> g, const Axis& x, const Axis& y);
+
 /// What the residuals of a solution say.
 struct Misfit {
     double delta2 = 0;
     Psi psi{};
     double max_residual = 0;
     std::vector<double> x_strips, y_strips;  ///< the rule's measure of every strip
+    bool psi_is_missing = false;             ///< the nodes were not read
 };
 
 /// One pass over the nodes; strips are measured where `rule` is given.
