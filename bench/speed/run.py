@@ -26,6 +26,14 @@ OPERATIONS = {
     "pseudo-spline-sharp": "The same, turns of up to 100 degrees",
     "length": "Length of cubic pieces to 1e-12, ns a piece",
     "area": "Area of cubic pieces, ns a piece",
+    "filter": "The paper's fairing filter, window 5, no sample clamped, ns a point and sweep",
+    "filter-clamped": "The same with noise of 5 % of the spacing",
+    "fair-step": "Fairing, ns a point and Gauss-Newton step",
+    "fair-lambda-given": "Fairing at a given lambda, ns in all",
+    "fair-lambda-found": "Fairing with lambda found, ns in all",
+    "alpha": "Alpha of points by maximum likelihood, ns in all",
+    "log-aesthetic-segment": "A log-aesthetic segment by its triangle, ns",
+    "fair-surface": "Fairing a grid of points, ns in all; by nodes",
 }
 PLACE = pathlib.Path(__file__).resolve().parent
 

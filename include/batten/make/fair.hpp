@@ -81,8 +81,8 @@ struct Fairing {
 /// rings, arcs, the filter and the search for alpha are for the plane.
 ///
 /// Laws:   points x 2^k (sigma, tolerance x 2^k, lambda x 2^5k) give points x 2^k, exactly
-/// Cost:   gauss-newton 0.4 us a point and step, some 10 steps where lambda is given and 40 where
-///         it is found; filter 0.1 us a point and sweep at window 5.
+/// Cost:   gauss-newton 0.2 us a point and step, some 10 steps where lambda is given and 40 where
+///         it is found; filter 0.08 us a point and sweep at window 5.
 /// Throws: `points.dimension`, `points.too-few` below 5 (7 in space), `points.not-finite`, `points.repeated`,
 ///         `points.all-equal`, `option.range`, `fair.tolerance-below-sigma`,
 ///         `fair.closed-has-no-ends`, `fair.not-in-space`, `fair.options`, `fair.folds` where

@@ -16,7 +16,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr std::size_t unknowns = 6;  ///< x, y, direction, ln rho0, ln rho1, alpha
+constexpr std::size_t unknowns = 6;  ///< x, y, direction, turn, ln(rho1 / rho0), alpha
 using Vector = std::array<double, unknowns>;
 using Row = std::array<double, unknowns + 1>;  ///< with the right-hand side
 
@@ -82,7 +82,7 @@ private:
 
     std::vector<Complex> data_;
     std::vector<double> share_;
-    double length_ = 0, sign_ = 1;
+    double length_ = 0;
     Vector p_{};
     std::vector<Complex> at_, along_, moved_;
     std::vector<double> rest_;
@@ -96,26 +96,25 @@ void Likelihood::start_from(const Track& smooth) {
         n += 1, s += share_[i], ss += share_[i] * share_[i], k += kappa[i];
         sk += share_[i] * kappa[i];
     }
-    sign_ = k < 0 ? -1 : 1;
-    const double slope = sign_ * (n * sk - s * k) / (n * ss - s * s);
+    const double sign = k < 0 ? -1 : 1;
+    const double slope = sign * (n * sk - s * k) / (n * ss - s * s);
     const double mean = std::fabs(k) / n, middle = s / n;
     const double least = 0.05 * mean + 1e-6 / length_;
     const double k0 = std::fmax(mean - slope * middle, least);
     const double k1 = std::fmax(mean + slope * (1 - middle), least);
     const Complex first(smooth.x[1] - smooth.x[0], smooth.y[1] - smooth.y[0]);
-    const double direction = std::arg(first) - 0.5 * sign_ * k0 * std::abs(first);
-    p_ = {smooth.x[0], smooth.y[0], direction, -std::log(k0), -std::log(k1), 0.5};
+    const double direction = std::arg(first) - 0.5 * sign * k0 * std::abs(first);
+    const double turn = 0.5 * sign * (k0 + k1) * length_;
+    p_ = {smooth.x[0], smooth.y[0], direction, turn, std::log(k0 / k1), 0.5};
 }
 
 bool Likelihood::place(const Vector& p, std::vector<Complex>& at,
                        std::vector<Complex>* along) const {
-    const double k0 = std::exp(-p[3]), k1 = std::exp(-p[4]);
-    const double ratio = p[4] - p[3];
-    if (!(std::fabs(ratio) * (std::fabs(p[5]) + 1) < 300) || std::fabs(p[5]) > most_alpha) {
+    if (!(std::fabs(p[4]) * (std::fabs(p[5]) + 1) < 300) || std::fabs(p[5]) > most_alpha ||
+        !(std::fabs(p[3]) < 100)) {
         return false;
     }
-    const spiral::Profile profile({p[5], length_, sign_ * k0, sign_ * k1});
-    if (!(std::fabs(profile.turn()) < 100)) return false;
+    const auto profile = spiral::Profile::by_ratio(p[5], p[4], p[3]);
     const Complex start(p[0], p[1]), turn = std::polar(1.0, p[2]);
     at.resize(share_.size());
     if (along) along->resize(share_.size());
@@ -123,7 +122,7 @@ bool Likelihood::place(const Vector& p, std::vector<Complex>& at,
     double before = 0;
     for (std::size_t i = 0; i < share_.size(); ++i) {
         const double u = profile.u_of(share_[i]);
-        if (i > 0) here += profile.step({before, u});
+        if (i > 0) here += profile.rough_step({before, u});
         before = u;
         at[i] = start + length_ * (turn * here);
         if (along) (*along)[i] = turn * std::polar(1.0, profile.angle(u));

@@ -23,7 +23,7 @@ constexpr double identifiable_error = 0.5;
 /// the arc at 0: without it an arc can slide along itself, with another alpha. Arc lengths are
 /// those of the data smoothed to waves of 60 points. The error is that of the inverse normal matrix
 /// times the scatter. At least 8 points.
-/// Cost: 0.5 ms for 100 points. Source: Levenberg-Marquardt, columns scaled [More1978].
+/// Cost: 0.4 to 0.7 ms for 100 points. Source: Levenberg-Marquardt, columns scaled [More1978].
 AlphaEstimate most_likely_alpha(const Track& arc);
 
 }  // namespace batten::fairing

@@ -127,8 +127,9 @@ private:
             const double k = kappa_[j], magnitude = std::fabs(k);
             sum += k;
             size += magnitude;
-            least = std::fmin(least, magnitude);
-            most = std::fmax(most, magnitude);
+            // Not fmin and fmax, which are calls.
+            least = magnitude < least ? magnitude : least;
+            most = magnitude > most ? magnitude : most;
             line.add(s, value_[j]);
         });
         if (line.count < static_cast<double>(fewest_samples)) return 0;
@@ -167,7 +168,7 @@ private:
         const double scale = sagitta / chord;
         double x = track_.x[b] + t * dx + scale * dy, y = track_.y[b] + t * dy - scale * dx;
         keep_within_bound(i, x, y);
-        const double moved = std::hypot(x - track_.x[i], y - track_.y[i]);
+        const double mx = x - track_.x[i], my = y - track_.y[i];
         track_.x[i] = x;
         track_.y[i] = y;
         edge_[b] = track_.edge(b);
@@ -175,7 +176,7 @@ private:
         for (const std::size_t j : {b, i, a}) {
             if (data_.closed || (j > 0 && j + 1 < data_.size())) refresh(j);
         }
-        return moved;
+        return std::sqrt(mx * mx + my * my);  // working units are near 1: squares are safe
     }
 
     void keep_within_bound(std::size_t i, double& x, double& y) const {

@@ -33,7 +33,7 @@ struct FilterResult {
 /// Where the paper is silent: curvature is signed and a window's sign is that of its sum; samples
 /// are clamped to 0.2 ... 5 times the window's mean |kappa|; windows are cut at ends and splits and
 /// need 3 samples; points move one after another (Gauss-Seidel); a line value <= 0 moves nothing;
-/// ends stay. Cost: 0.1 us a point and sweep at window 5.
+/// ends stay. Cost: 0.08 us a point and sweep at window 5.
 /// Source: [MiuraYoshidaSaito, eq. 3, 7, 8], whose equation for the step is linear:
 /// phi = kappa l^2 / 8; for Foot::kept the sagitta of the circle at the foot.
 FilterResult filtered(const Track& data, const FilterPlan& plan);

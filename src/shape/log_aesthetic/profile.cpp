@@ -92,7 +92,16 @@ int Profile::panels() const {
 }
 
 std::complex<double> Profile::step(Interval part) const {
-    const num::GaussRule rule = num::gauss_legendre(nodes_for(change() * part.length()));
+    return integral(part, nodes_for(change() * part.length()));
+}
+
+std::complex<double> Profile::rough_step(Interval part) const {
+    const double much = change() * part.length();
+    return integral(part, much < 0.3 ? 3 : nodes_for(much));
+}
+
+std::complex<double> Profile::integral(Interval part, int nodes) const {
+    const num::GaussRule rule = num::gauss_legendre(nodes);
     const double half = 0.5 * part.length(), middle = part.middle();
     double x = 0, y = 0;
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {

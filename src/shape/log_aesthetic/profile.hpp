@@ -51,12 +51,15 @@ public:
     int panels() const;
     /// int e^(i angle) ds over a part of [0, 1] in u, no longer than a panel.
     std::complex<double> step(Interval part) const;
+    /// The same to 1e-9 of the part: for fits, whose data are not that good.
+    std::complex<double> rough_step(Interval part) const;
     /// The end point.
     std::complex<double> end() const;
 
 private:
     Profile() = default;
     double change() const;
+    std::complex<double> integral(Interval part, int nodes) const;
 
     bool is_clothoid_ = true;
     double alpha_ = -1, r_ = 0;
