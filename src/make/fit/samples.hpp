@@ -28,6 +28,7 @@ struct Samples {
     std::span<const double> sigma;               ///< empty where all are `common_sigma`
     double common_sigma = 1;
     bool sigma_known = false;
+    bool has_weightless = false;                 ///< among the samples as they were given
     SigmaSource source = SigmaSource::estimated;
     Interval range;                  ///< of all x, weightless ones included
     std::vector<std::size_t> row_of; ///< the caller's row of each sample; empty: the same
