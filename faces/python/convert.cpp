@@ -72,8 +72,9 @@ Points points_from(py::handle object, const std::string& name) {
 }
 
 void set_cell(Table& table, std::size_t row, std::size_t column, double x) {
-    if (!std::isfinite(x) && !table.bad[column]) table.bad[column] = {row, format_number(x)};
-    table.cells[row][column] = std::isfinite(x) ? x : 0;
+    const bool is_infinite = std::isinf(x) && x > 0;
+    if (!std::isfinite(x)) note_bad(table.bad[column], {row, format_number(x), is_infinite});
+    table.cells[row][column] = std::isfinite(x) || is_infinite ? x : 0;
 }
 
 Table empty_table(const std::string& name, std::size_t rows, std::size_t columns) {

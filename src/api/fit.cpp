@@ -81,9 +81,9 @@ std::vector<double> sigma_of(const Table& table, FitTableOptions& options) {
     if (const auto number = parse_number(options.sigma)) {
         options.fit.sigma = *number;
     } else if (!options.sigma.empty()) {
-        return column_values(table, column_index(table, options.sigma));
+        return error_values(table, column_index(table, options.sigma));
     } else if (options.fit.sigma_model.empty() && has_column(table, "sigma")) {
-        return column_values(table, column_index(table, "sigma"));
+        return error_values(table, column_index(table, "sigma"));
     }
     return {};
 }

@@ -11,11 +11,15 @@
 
 namespace batten {
 
-/// The first cell of a column that holds no finite number, as it was written.
+/// The first cell of a column that holds no number, as it was written; else the first infinite one.
 struct BadCell {
     std::size_t row = 0;
     std::string text;
+    bool is_infinite = false;  ///< it says +inf, and so do all the column's other bad cells
 };
+
+/// Keeps what counts of a column's bad cells, told in their order.
+void note_bad(std::optional<BadCell>& noted, BadCell cell);
 
 /// Columns of numbers, whatever file they came from.
 ///
@@ -24,7 +28,7 @@ struct BadCell {
 struct Table {
     std::string source;                       ///< what errors call the file
     std::vector<std::string> names;           ///< one a column, or none
-    Points cells;                             ///< rows x columns; bad cells hold 0
+    Points cells;                             ///< rows x columns; bad cells hold 0, or inf
     std::vector<int> line_of_row;             ///< from 1: where each row stands in the file
     std::vector<std::optional<BadCell>> bad;  ///< one a column
     std::vector<std::string> notes;           ///< what a reader of the result should know
@@ -69,6 +73,9 @@ std::vector<int> coordinate_columns(const Table& table, std::string_view picks =
 /// The numbers of one column. Throws `points.not-finite`, `number.overflow` or
 /// `table.not-a-number` at the first cell without a finite number.
 std::vector<double> column_values(const Table& table, int column);
+
+/// The same for errors of measurement, where +inf says that a row has no weight.
+std::vector<double> error_values(const Table& table, int column);
 
 /// Points whose coordinates stand in these columns. Throws what column_values throws.
 Points points_of(const Table& table, const std::vector<int>& columns);

@@ -214,11 +214,9 @@ Table read_npy(std::string_view bytes, const std::string& source) {
         for (std::size_t k = 0; k < columns; ++k) {
             const std::size_t place = body.header.is_fortran ? k * rows + i : i * columns + k;
             const double x = number_at(body.bytes.data() + place * body.header.width, body.header);
-            if (std::isfinite(x)) {
-                table.cells(i, static_cast<int>(k)) = x;
-            } else if (!table.bad[k]) {
-                table.bad[k] = BadCell{i, format_number(x)};
-            }
+            const bool is_infinite = std::isinf(x) && x > 0;
+            if (std::isfinite(x) || is_infinite) table.cells(i, static_cast<int>(k)) = x;
+            if (!std::isfinite(x)) note_bad(table.bad[k], {i, format_number(x), is_infinite});
         }
     }
     return table;

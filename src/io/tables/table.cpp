@@ -65,6 +65,10 @@ void require_good(const Table& table, int column) {
 
 }  // namespace
 
+void note_bad(std::optional<BadCell>& noted, BadCell cell) {
+    if (!noted || (noted->is_infinite && !cell.is_infinite)) noted = std::move(cell);
+}
+
 std::string Table::label(int column) const {
     const std::size_t k = static_cast<std::size_t>(column);
     if (k < names.size() && !names[k].empty()) return utf8::printable(names[k]);
@@ -137,6 +141,12 @@ std::vector<int> coordinate_columns(const Table& table, std::string_view picks) 
 
 std::vector<double> column_values(const Table& table, int column) {
     require_good(table, column);
+    return error_values(table, column);
+}
+
+std::vector<double> error_values(const Table& table, int column) {
+    const std::optional<BadCell>& bad = table.bad[static_cast<std::size_t>(column)];
+    if (bad && !bad->is_infinite) throw bad_cell(table, column);
     std::vector<double> values(table.cells.size());
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = table.cells(i, column);
     return values;

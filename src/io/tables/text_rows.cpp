@@ -101,8 +101,10 @@ private:
         for (std::size_t k = 0; k < cells_.size(); ++k) {
             const std::optional<double> x = parse_number(cells_[k]);
             const bool is_good = x && std::isfinite(*x);
-            values_.push_back(is_good ? *x : 0);
-            if (!is_good && !table_.bad[k]) table_.bad[k] = BadCell{rows_, cell_text(cells_[k])};
+            const bool is_infinite = x && !is_good && *x > 0 &&
+                                     cells_[k].find_first_of("0123456789") == std::string_view::npos;
+            values_.push_back(is_good || is_infinite ? *x : 0);
+            if (!is_good) note_bad(table_.bad[k], {rows_, cell_text(cells_[k]), is_infinite});
         }
         ++rows_;
     }
