@@ -9,6 +9,7 @@
 #include "convert.hpp"
 #include "curve.hpp"
 #include "signature.hpp"
+#include "spline.hpp"
 #include "work.hpp"
 
 namespace batten::python {
@@ -174,6 +175,7 @@ PYBIND11_MODULE(_core, module) {
     pybind11::register_exception_translator(&translate);
     module.attr("__version__") = std::string(batten::version());
     bind_curve(module);
+    bind_spline(module);
     bind_outcome(module);
     module.def("read_points", &read_points_file, py::arg("path"), py::arg("columns") = "",
                "The points in a file of any format that the command line reads.");
