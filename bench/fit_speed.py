@@ -35,8 +35,8 @@ def timed(work):
 
 def batten(program, path, *arguments):
     done = subprocess.run([program, path, *arguments], check=True, capture_output=True, text=True)
-    least, _, delta2, intervals = done.stdout.split()
-    return float(least), float(delta2), int(intervals)
+    least, _, delta2, intervals, copy = done.stdout.split()
+    return float(least), float(delta2), int(intervals), float(copy)
 
 
 def data(function, n, sigma, path, shuffled=False):
@@ -57,9 +57,12 @@ def fixed(program, path):
     for _ in range(ROUNDS):
         ours.append(batten(program, path, "fixed", str(intervals)))
         theirs.append(timed(lambda: interpolate.make_lsq_spline(x, y, knots, 3))[0])
-    mine, other = min(t for t, _, _ in ours), min(theirs)
+    mine, other = min(t[0] for t in ours), min(theirs)
+    print(f"copying a double: {min(t[3] for t in ours) * 1e9:.2f} ns")
     print(f"fixed knots, N = {n}, {intervals} intervals: {mine * 1e9 / n:.2f} ns/point, "
           f"make_lsq_spline {other * 1e9 / n:.1f}: {other / mine:.1f} x")
+    weighted = min(batten(program, path, "weighted", str(intervals))[0] for _ in range(ROUNDS))
+    print(f"  the same, an error for every sample: {weighted * 1e9 / n:.2f} ns/point")
     data(chirp, n, .1, path, shuffled=True)
     print(f"  the same, not sorted: {batten(program, path, 'fixed', str(intervals))[0] * 1e9 / n:.1f}"
           f" ns/point; numpy.argsort of as many: "
@@ -78,7 +81,7 @@ def automatic(program, path):
                 knots = len(result[0]) - 8
                 # To the residual that the other reached: at N = 10^6 it may be a little above s.
                 ours.append(batten(program, path, "auto", repr(max(n, fp))))
-            mine, other = min(t for t, _, _ in ours), min(theirs)
+            mine, other = min(t[0] for t in ours), min(theirs)
             print(f"automatic knots, {name}, N = {n}: {mine * 1e3:.3f} ms, splrep "
                   f"{other * 1e3:.2f} ms: {other / mine:.1f} x; knots {ours[0][2] - 1} to {knots}: "
                   f"{(ours[0][2] - 1) / max(knots, 1):.2f}; delta2/N {ours[0][1] / n:.4f} to "

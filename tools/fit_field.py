@@ -149,7 +149,7 @@ def main():
     warnings.simplefilter("ignore")
     penalty = Lambda()
     wins, cells = {"Batten": 0, "Batten, pruned": 0}, 0
-    slim = dict(wins)
+    slim, both = dict(wins), dict(wins)
     names = None
     with tempfile.TemporaryDirectory() as folder:
         for label in arguments.functions.split(","):
@@ -168,6 +168,7 @@ def main():
                         half = result[name][1] <= .5 * best[1]
                         wins[name] += near
                         slim[name] += half
+                        both[name] += near and half
                         marks.append(("✓" if near else "–") + ("½" if half else ""))
                     cells += 1
                     print(f"| {label} | {n} | {ratio} | " + " | ".join(
@@ -176,7 +177,7 @@ def main():
                     sys.stdout.flush()
     for name in wins:
         print(f"\n{name}: best or within 10 % of the best other in {wins[name]} of {cells} cells; at "
-              f"most half the parameters of the best other in {slim[name]}")
+              f"most half the parameters of the best other in {slim[name]}; both in {both[name]}")
 
 
 main()

@@ -10,6 +10,7 @@
 #include "convert.hpp"
 #include "curve.hpp"
 #include "signature.hpp"
+#include "spline.hpp"
 #include "surface.hpp"
 #include "work.hpp"
 
@@ -189,6 +190,7 @@ PYBIND11_MODULE(_core, module) {
     module.attr("__version__") = std::string(batten::version());
     bind_curve(module);
     bind_surface(module);
+    bind_spline(module);
     bind_outcome(module);
     module.def("read_points", &read_points_file, py::arg("path"), py::arg("columns") = "",
                "The points in a file of any format that the command line reads.");

@@ -14,22 +14,19 @@
 #include <string>
 #include <vector>
 
+#include "../figures.hpp"
 #include "batten/batten.hpp"
 
 namespace {
 
 using namespace batten;
+using papers::save;
 
 const Points figure_8({0,     0,     18.2,  -17.1, 40.5,  -31,   69.3,  -34.6, 95.6, -16.6,
                        95.6,  16.6,  69.3,  34.6,  40.5,  31,    18.2,  17.1,  0,    0,
                        -18.2, -17.1, -40.5, -31,   -69.3, -34.6, -95.6, -16.6, -95.6, 16.6,
                        -69.3, 34.6,  -40.5, 31,    -18.2, 17.1,  0,     0},
                       2);
-
-void save(const std::string& folder, const std::string& name, const Drawing& drawing) {
-    write_file(folder + "/" + name + ".svg", svg(drawing));
-    std::cout << name << ".svg\n";
-}
 
 /// K = |d2r/dt2| against the arc length.
 Drawing figure_1(const Curve& curve) {
@@ -174,11 +171,9 @@ void print_table_1() {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::cerr << "usage: figures FOLDER\n";
-        return 2;
-    }
-    const std::string folder = argv[1];
+    const std::optional<std::string> given = papers::folder_given(argc, argv);
+    if (!given) return 2;
+    const std::string& folder = *given;
     const Curve curve = harada_nakamae_curve(figure_8);
     save(folder, "figure-01", figure_1(curve));
     save(folder, "figure-03", figure_3(curve));

@@ -10,18 +10,15 @@
 #include <string>
 #include <vector>
 
+#include "../figures.hpp"
 #include "batten/batten.hpp"
 
 namespace {
 
 using namespace batten;
+using papers::save;
 
 constexpr double degree = std::numbers::pi / 180;
-
-void save(const std::string& folder, const std::string& name, const Drawing& drawing) {
-    write_file(folder + "/" + name + ".svg", svg(drawing));
-    std::cout << name << ".svg\n";
-}
 
 /// The segment on the unit chord as a curve.
 Curve curve_of(const PseudoSegment& s) {
@@ -128,11 +125,9 @@ void print_row(const std::string& data, const Way& way, const InterpolateReport&
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::cerr << "usage: figures FOLDER\n";
-        return 2;
-    }
-    const std::string folder = argv[1];
+    const std::optional<std::string> given = papers::folder_given(argc, argv);
+    if (!given) return 2;
+    const std::string& folder = *given;
     save(folder, "figure-02",
          energy_figure("Figure 2: no least energy, not even a local one", 120 * degree,
                        -120 * degree, {1, 3, 8, 20}));

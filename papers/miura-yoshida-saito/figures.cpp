@@ -12,16 +12,13 @@
 #include <string>
 #include <vector>
 
+#include "../figures.hpp"
 #include "batten/batten.hpp"
 
 namespace {
 
 using namespace batten;
-
-void save(const std::string& folder, const std::string& name, const Drawing& drawing) {
-    write_file(folder + "/" + name + ".svg", svg(drawing));
-    std::cout << name << ".svg\n";
-}
+using papers::save;
 
 /// The Bezier curve of three or four control points.
 Curve bezier(const std::vector<std::array<double, 2>>& c) {
@@ -244,12 +241,10 @@ void figure_4(const std::string& folder) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::cerr << "usage: figures FOLDER\n";
-        return 2;
-    }
-    figure_1(argv[1]);
-    figure_2(argv[1]);
-    figure_3(argv[1]);
-    figure_4(argv[1]);
+    const std::optional<std::string> given = papers::folder_given(argc, argv);
+    if (!given) return 2;
+    figure_1(*given);
+    figure_2(*given);
+    figure_3(*given);
+    figure_4(*given);
 }

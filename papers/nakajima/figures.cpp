@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "../figures.hpp"
 #include "batten/batten.hpp"
 #include "examples.hpp"
 #include "joukowski.hpp"
@@ -21,14 +22,10 @@
 namespace {
 
 using namespace batten;
+using papers::save;
 using namespace nakajima;
 
 using std::numbers::pi;
-
-void save(const std::string& folder, const std::string& name, const Drawing& drawing) {
-    write_file(folder + "/" + name + ".svg", svg(drawing));
-    std::cout << name << ".svg\n";
-}
 
 Panel chart(const std::string& caption, const std::string& x, const std::string& y) {
     Panel panel;
@@ -372,11 +369,9 @@ void print_projection(const std::string& folder) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::cerr << "usage: figures FOLDER\n";
-        return 2;
-    }
-    const std::string folder = argv[1];
+    const std::optional<std::string> given = papers::folder_given(argc, argv);
+    if (!given) return 2;
+    const std::string& folder = *given;
     draw_parameter_figures(folder);
     draw_windows(folder);
     draw_aerofoil(folder);

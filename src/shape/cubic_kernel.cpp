@@ -4,14 +4,11 @@
 #include <array>
 #include <cassert>
 
+#include "num/clones.hpp"
+
 #if defined(__x86_64__) && defined(__GNUC__)
 #define BATTEN_HAS_X86_LEVELS
 #include <immintrin.h>
-#endif
-#ifdef __GNUC__
-#define BATTEN_INLINE [[gnu::always_inline]] inline
-#else
-#define BATTEN_INLINE inline
 #endif
 
 namespace batten::cubics {

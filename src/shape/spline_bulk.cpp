@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "batten/shape/spline_function.hpp"
+#include "num/clones.hpp"
 #include "shape/knots.hpp"
 
 /// Many abscissae at once: runs of one piece with its coefficients in registers.
@@ -11,16 +12,32 @@ namespace {
 
 using Coefficients = std::array<double, knots::most_order>;
 
-/// How many abscissae from `first` on lie in [lo, hi).
-std::size_t run_length(std::span<const double> x, std::size_t first, Interval piece) {
-    std::size_t n = 1;
-    const std::size_t rest = x.size() - first;
-    while (n < rest && piece.lo <= x[first + n] && x[first + n] < piece.hi) ++n;
+/// Abscissae are looked at in blocks, which compilers turn into vectors.
+constexpr std::size_t run_block = 32;
+
+/// How many of the first abscissae lie in [lo, hi).
+BATTEN_CLONES std::size_t run_length(const double* x, std::size_t count, Interval piece) {
+    std::size_t n = 0;
+    for (; n + run_block <= count; n += run_block) {
+        long long outside = 0;
+        for (std::size_t i = 0; i < run_block; ++i) {
+            const double at = x[n + i];
+            outside += !((piece.lo <= at) & (at < piece.hi));
+        }
+        if (outside > 0) break;
+    }
+    while (n < count && piece.lo <= x[n] && x[n] < piece.hi) ++n;
     return n;
 }
 
+/// The same for the last piece, or where the first abscissa is outside: that one counts anyway.
+std::size_t run_from(std::span<const double> x, std::size_t first, Interval piece) {
+    return std::max<std::size_t>(1, run_length(x.data() + first, x.size() - first, piece));
+}
+
 template <int Degree>
-void horner(const Coefficients& c, double origin, std::span<const double> x, double* out) {
+BATTEN_INLINE void horner(const Coefficients& c, double origin, std::span<const double> x,
+                          double* out) {
     for (std::size_t i = 0; i < x.size(); ++i) {
         const double u = x[i] - origin;
         double sum = c[Degree];
@@ -29,8 +46,8 @@ void horner(const Coefficients& c, double origin, std::span<const double> x, dou
     }
 }
 
-void horner_any(const Coefficients& c, int degree, double origin, std::span<const double> x,
-                double* out) {
+BATTEN_CLONES void horner_any(const Coefficients& c, int degree, double origin,
+                              std::span<const double> x, double* out) {
     switch (degree) {
         case 0: return horner<0>(c, origin, x, out);
         case 1: return horner<1>(c, origin, x, out);
@@ -69,7 +86,7 @@ void SplineFunction::evaluate(std::span<const double> x, int derivative,
         for (int j = 0; j <= degree; ++j) {
             c[j] = factor[j] * power_[static_cast<std::size_t>(j + derivative) * stride + piece];
         }
-        const std::size_t n = run_length(x, first, {breaks_[piece], breaks_[piece + 1]});
+        const std::size_t n = run_from(x, first, {breaks_[piece], breaks_[piece + 1]});
         horner_any(c, degree, breaks_[piece], x.subspan(first, n), out.data() + first);
         first += n;
     }
@@ -85,7 +102,7 @@ void SplineFunction::evaluate_jets(std::span<const double> x, std::span<double> 
         for (int j = 0; j <= degree_; ++j) c[j] = power_[static_cast<std::size_t>(j) * stride + piece];
         const double origin = breaks_[piece];
         const std::size_t last =
-            first + run_length(x, first, {origin, breaks_[piece + 1]});
+            first + run_from(x, first, {origin, breaks_[piece + 1]});
         for (; first < last; ++first) {
             const double u = x[first] - origin;
             double y = c[degree_], slope = 0, half_second = 0;

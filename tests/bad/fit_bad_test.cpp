@@ -82,6 +82,24 @@ TEST(FitRefuses, NumbersThatAreNotFinite) {
     }
 }
 
+TEST(FitRefuses, NumbersThatAreNotFiniteWhereverTheyAreReduced) {
+    for (const double bad : {nan, inf, -inf}) {
+        for (const KnotPlacement knots :
+             {KnotPlacement::automatic, KnotPlacement::equal, KnotPlacement::free,
+              KnotPlacement::pruned}) {
+            FitTable table = testing::noisy_curve(5000, 1, 1);
+            table.y[3777] = bad;
+            FitOptions options;
+            options.knots = knots;
+            if (knots == KnotPlacement::equal) options.intervals = 20;
+            EXPECT_EQ(code_of(table, options), "points.not-finite row 3777, column y") << bad;
+            table.y[3777] = 0;
+            table.x[3777] = bad;
+            EXPECT_EQ(code_of(table, options), "points.not-finite row 3777, column x") << bad;
+        }
+    }
+}
+
 TEST(FitRefuses, ColumnsOfDifferentLengths) {
     FitTable table = good();
     table.y.pop_back();

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
+#include "batten/base/error.hpp"
 #include "batten/io/table.hpp"
 #include "shared.hpp"
 
@@ -64,6 +66,21 @@ TEST(TextTable, MayHoldColumnsOfWordsThatNobodyAsksFor) {
     EXPECT_EQ(points_of(table, coordinate_columns(table, "x,y")), plane({1, 2, 3, 4}));
     EXPECT_EQ(points_of(table, coordinate_columns(table, "#3, x")), plane({2, 1, 4, 3}));
     EXPECT_EQ(column_values(table, column_index(table, "#2")), std::vector<double>({1, 3}));
+}
+
+TEST(TextTable, GivesInfiniteErrorsWhereTheyMeanNoWeight) {
+    const double inf = std::numeric_limits<double>::infinity();
+    for (const char* word : {"inf", "Infinity", "+inf"}) {
+        const std::string cell = word;
+        const Table table = table_of("d.csv", "x,sigma\n1,2\n2," + cell + "\n3,4\n");
+        EXPECT_EQ(column_errors(table, 1), (std::vector<double>{2, inf, 4})) << word;
+        EXPECT_THROW(column_values(table, 1), Error) << word;
+    }
+    for (const char* word : {"-inf", "nan", "1e999", "many", ""}) {
+        const std::string cell = word;
+        const Table table = table_of("d.csv", "x,sigma\n1,inf\n2," + cell + "\n3,4\n");
+        EXPECT_THROW(column_errors(table, 1), Error) << word;
+    }
 }
 
 TEST(TextTable, OfManyColumnsHasItsCoordinatesUnderXYAndZ) {

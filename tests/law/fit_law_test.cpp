@@ -1,4 +1,5 @@
 #include "batten/make/fit_chunks.hpp"
+#include "batten/make/fit_statistics.hpp"
 #include "fit_samples.hpp"
 
 /// What holds for every fit.
@@ -147,6 +148,39 @@ TEST(Fit, GivesSamplesOfInfiniteErrorNoWeight) {
     const Fit one = fit(fewer.view(), {}), other = fit(ignored.view(), {});
     EXPECT_EQ(one.report.coefficients, other.report.coefficients);
     EXPECT_EQ(other.report.samples, 200u);
+}
+
+TEST(Fit, CountsItsResidualsAsTheyAre) {
+    for (const std::size_t n : {50u, 519u, 1001u}) {
+        FitTable table = noisy_curve(n, 1.5, n);
+        for (std::size_t i = 0; i < n; i += 97) table.y[i] += i % 2 == 0 ? 5.3 : -9;
+        const Fit made = fit(table.view(), over({10, 25, 40, 60, 80}, 3));
+        double delta2 = 0, largest = 0;
+        std::size_t runs = 1, positive = 0;
+        std::vector<double> psi(10, 0.0);
+        bool before = true;
+        for (std::size_t i = 0; i < n; ++i) {
+            const double e = table.y[i] - made.spline(table.x[i]), q = e / table.sigma[i];
+            delta2 += q * q;
+            largest = std::max(largest, std::fabs(e));
+            for (int w = 0; w < 10; ++w) {
+                psi[static_cast<std::size_t>(w)] +=
+                    (std::fabs(e) <= (w + 1) * table.sigma[i]) / static_cast<double>(n);
+            }
+            runs += i > 0 && (e >= 0) != before;
+            before = e >= 0;
+            positive += before;
+        }
+        EXPECT_NEAR(made.report.delta2, delta2, 1e-12 * delta2);
+        EXPECT_DOUBLE_EQ(*made.report.max_residual, largest);
+        EXPECT_EQ(made.report.runs_p, runs_probability(runs, positive, n - positive)) << n;
+        for (std::size_t w = 0; w < 10; ++w) EXPECT_NEAR(made.report.psi[w], psi[w], 1e-12) << w;
+        FitOptions common = over({10, 25, 40, 60, 80}, 3);
+        common.sigma = 1.5;
+        const Fit other = fit(table.without_sigma(), common);
+        EXPECT_NEAR(other.report.delta2, delta2, 1e-11 * delta2);
+        EXPECT_EQ(other.report.psi, made.report.psi);
+    }
 }
 
 TEST(Fit, IsContinuousInErrorsAndDataForFixedKnots) {

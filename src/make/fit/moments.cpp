@@ -1,114 +1,150 @@
 #include "make/fit/moments.hpp"
 
-#include "make/fit/lanes.hpp"
+#include <algorithm>
+#include <limits>
+
+#include "num/lanes.hpp"
 
 namespace batten::fitting {
 namespace {
 
-/// The last, incomplete block of lanes: filled up with samples of weight 0.
-struct Tail {
-    double x[lanes], y[lanes], weight_sq[lanes];
+using num::Lanes;
+using num::lanes;
+
+/// Eight samples, or fewer: then filled up with samples of weight 0.
+struct Block {
+    Lanes u, y, sigma;
+    bool has_sigma;
+    std::size_t first, count;
+};
+
+BATTEN_INLINE void load_block(const SampleRun& run, LocalScale scale, std::size_t first,
+                              Block& block) {
+    Lanes x;
+    num::load(run.x + first, x);
+    num::load(run.y + first, block.y);
+    if (run.sigma) num::load(run.sigma + first, block.sigma);
+    block.u = (x - scale.middle) * scale.scale;
+    block.has_sigma = run.sigma != nullptr;
+    block.first = first;
+    block.count = lanes;
+}
+
+BATTEN_INLINE void load_rest(const SampleRun& run, LocalScale scale, std::size_t first,
+                             Block& block) {
+    double u[lanes] = {}, y[lanes] = {}, sigma[lanes];
+    std::fill_n(sigma, lanes, std::numeric_limits<double>::infinity());
+    block.count = run.count - first;
+    for (std::size_t l = 0; l < block.count; ++l) {
+        u[l] = (run.x[first + l] - scale.middle) * scale.scale;
+        y[l] = run.y[first + l];
+        sigma[l] = run.sigma ? run.sigma[first + l] : 1;
+    }
+    num::load(u, block.u);
+    num::load(y, block.y);
+    num::load(sigma, block.sigma);
+    block.has_sigma = true;
+    block.first = first;
+}
+
+template <class Work>
+BATTEN_INLINE void for_blocks(const SampleRun& run, LocalScale scale, Work& work) {
+    const std::size_t whole = run.count / lanes * lanes;
+    Block block;
+    for (std::size_t i = 0; i < whole; i += lanes) {
+        load_block(run, scale, i, block);
+        work.add(block);
+    }
+    if (whole == run.count) return;
+    load_rest(run, scale, whole, block);
+    work.add(block);
+}
+
+template <int Order>
+struct MomentSums {
+    Lanes gram[2 * Order - 1] = {}, side[Order] = {}, largest = {};
+
+    BATTEN_INLINE void add(const Block& block) {
+        const Lanes one = {1, 1, 1, 1, 1, 1, 1, 1};
+        Lanes before = one;
+        if (block.has_sigma) {
+            before = one / (block.sigma * block.sigma);
+            largest = before > largest ? before : largest;
+        }
+        Lanes here = before * block.u;
+        const Lanes twice = block.u + block.u;
+        gram[0] += before;
+        side[0] += before * block.y;
+        if (Order > 1) {
+            gram[1] += here;
+            side[1] += here * block.y;
+        }
+        for (int m = 2; m < 2 * Order - 1; ++m) {
+            const Lanes next = twice * here - before;
+            before = here;
+            here = next;
+            gram[m] += here;
+            if (m < Order) side[m] += here * block.y;
+        }
+    }
 };
 
 template <int Order>
-BATTEN_INLINE void accumulate(const Lanes& u, const Lanes& weight_sq, const Lanes& y,
-                              Lanes* gram, Lanes* side) {
-    Lanes before = weight_sq;
-    Lanes here = weight_sq * u;
-    const Lanes twice = u + u;
-    gram[0] += before;
-    side[0] += before * y;
-    if (Order > 1) {
-        gram[1] += here;
-        side[1] += here * y;
+BATTEN_INLINE void moments_of(const SampleRun& run, LocalScale scale, Moments& out) {
+    MomentSums<Order> sums;
+    for_blocks(run, scale, sums);
+    for (int m = 0; m < 2 * Order - 1; ++m) {
+        out.gram[static_cast<std::size_t>(m)] = num::sum_of(sums.gram[m]);
     }
-    for (int m = 2; m < 2 * Order - 1; ++m) {
-        const Lanes next = twice * here - before;
-        before = here;
-        here = next;
-        gram[m] += here;
-        if (m < Order) side[m] += here * y;
+    for (int j = 0; j < Order; ++j) {
+        out.side[static_cast<std::size_t>(j)] = num::sum_of(sums.side[j]);
     }
+    if (run.sigma) out.largest_weight_sq = num::largest_of(sums.largest);
+}
+
+/// y - p(u) by Clenshaw's recurrence [DLMF, 3.11(ii)].
+BATTEN_INLINE void residual_of(const Block& block, int order, const double* p, Lanes& out) {
+    const Lanes twice = block.u + block.u;
+    Lanes b1 = {}, b2 = {};
+    for (int j = order - 1; j > 0; --j) {
+        const Lanes b0 = p[j] + (twice * b1 - b2);
+        b2 = b1;
+        b1 = b0;
+    }
+    out = block.y - (p[0] + (block.u * b1 - b2));
 }
 
 template <int Order>
-BATTEN_INLINE void moments_of(const SampleRun& run, LocalScale scale, Moments& out) {
-    Lanes gram[2 * Order - 1] = {}, side[Order] = {}, largest = {};
-    const std::size_t whole = run.count / lanes * lanes;
-    const Lanes one = {1, 1, 1, 1, 1, 1, 1, 1};
-    Lanes x, y, weight_sq = one;
-    for (std::size_t i = 0; i < whole; i += lanes) {
-        load(run.x + i, x);
-        load(run.y + i, y);
-        if (run.sigma) {
-            Lanes sigma;
-            load(run.sigma + i, sigma);
-            weight_sq = one / (sigma * sigma);
-            largest = weight_sq > largest ? weight_sq : largest;
-        }
-        accumulate<Order>((x - scale.middle) * scale.scale, weight_sq, y, gram, side);
+struct RestSum {
+    const double* p;
+    Lanes sum = {};
+
+    BATTEN_INLINE void add(const Block& block) {
+        Lanes e;
+        residual_of(block, Order, p, e);
+        if (block.has_sigma) e /= block.sigma;
+        sum += e * e;
     }
-    if (whole < run.count) {
-        Tail tail = {};
-        for (std::size_t l = 0; whole + l < run.count; ++l) {
-            const double s = run.sigma ? run.sigma[whole + l] : 1;
-            tail.x[l] = (run.x[whole + l] - scale.middle) * scale.scale;
-            tail.y[l] = run.y[whole + l];
-            tail.weight_sq[l] = 1 / (s * s);
-        }
-        load(tail.x, x);
-        load(tail.y, y);
-        load(tail.weight_sq, weight_sq);
-        largest = weight_sq > largest ? weight_sq : largest;
-        accumulate<Order>(x, weight_sq, y, gram, side);
-    }
-    for (int m = 0; m < 2 * Order - 1; ++m) {
-        out.gram[static_cast<std::size_t>(m)] = sum_of(gram[m]);
-    }
-    for (int j = 0; j < Order; ++j) out.side[static_cast<std::size_t>(j)] = sum_of(side[j]);
-    if (run.sigma) out.largest_weight_sq = largest_of(largest);
-}
+};
 
 template <int Order>
 BATTEN_INLINE double rest_of(const SampleRun& run, LocalScale scale, const double* p) {
-    // Clenshaw's recurrence [DLMF, 3.11(ii)], all lanes at once.
-    Lanes sum = {};
-    const std::size_t whole = run.count / lanes * lanes;
-    for (std::size_t i = 0; i < whole; i += lanes) {
-        Lanes x, y;
-        load(run.x + i, x);
-        load(run.y + i, y);
-        const Lanes u = (x - scale.middle) * scale.scale;
-        const Lanes twice = u + u;
-        Lanes b1 = {}, b2 = {};
-        for (int j = Order - 1; j > 0; --j) {
-            const Lanes b0 = p[j] + (twice * b1 - b2);
-            b2 = b1;
-            b1 = b0;
-        }
-        Lanes e = y - (p[0] + (u * b1 - b2));
-        if (run.sigma) {
-            Lanes sigma;
-            load(run.sigma + i, sigma);
-            e /= sigma;
-        }
-        sum += e * e;
-    }
-    double total = sum_of(sum);
-    for (std::size_t i = whole; i < run.count; ++i) {
-        const double u = (run.x[i] - scale.middle) * scale.scale;
-        double b1 = 0, b2 = 0;
-        for (int j = Order - 1; j > 0; --j) {
-            const double b0 = p[j] + (2 * u * b1 - b2);
-            b2 = b1;
-            b1 = b0;
-        }
-        double e = run.y[i] - (p[0] + (u * b1 - b2));
-        if (run.sigma) e /= run.sigma[i];
-        total += e * e;
-    }
-    return total;
+    RestSum<Order> rest{p};
+    for_blocks(run, scale, rest);
+    return num::sum_of(rest.sum);
 }
+
+struct ResidualWriter {
+    int order;
+    const double* p;
+    double* out;
+
+    BATTEN_INLINE void add(const Block& block) {
+        Lanes e;
+        residual_of(block, order, p, e);
+        std::memcpy(out + block.first, &e, block.count * sizeof(double));
+    }
+};
 
 #define BATTEN_KERNELS(order)                                                             \
     BATTEN_CLONES void moments_##order(const SampleRun& run, LocalScale scale, Moments& out) { \
@@ -125,34 +161,8 @@ BATTEN_KERNELS(5)
 BATTEN_KERNELS(6)
 #undef BATTEN_KERNELS
 
-BATTEN_CLONES void residuals_of(const SampleRun& run, LocalScale scale, int order,
-                                const double* p, double* out) {
-    const std::size_t whole = run.count / lanes * lanes;
-    for (std::size_t i = 0; i < whole; i += lanes) {
-        Lanes x, y;
-        load(run.x + i, x);
-        load(run.y + i, y);
-        const Lanes u = (x - scale.middle) * scale.scale;
-        const Lanes twice = u + u;
-        Lanes b1 = {}, b2 = {};
-        for (int j = order - 1; j > 0; --j) {
-            const Lanes b0 = p[j] + (twice * b1 - b2);
-            b2 = b1;
-            b1 = b0;
-        }
-        const Lanes e = y - (p[0] + (u * b1 - b2));
-        std::memcpy(out + i, &e, sizeof e);
-    }
-    for (std::size_t i = whole; i < run.count; ++i) {
-        const double u = (run.x[i] - scale.middle) * scale.scale;
-        double b1 = 0, b2 = 0;
-        for (int j = order - 1; j > 0; --j) {
-            const double b0 = p[j] + ((u + u) * b1 - b2);
-            b2 = b1;
-            b1 = b0;
-        }
-        out[i] = run.y[i] - (p[0] + (u * b1 - b2));
-    }
+BATTEN_CLONES void residuals_of(const SampleRun& run, LocalScale scale, ResidualWriter& writer) {
+    for_blocks(run, scale, writer);
 }
 
 }  // namespace
@@ -166,7 +176,8 @@ Moments chebyshev_moments(const SampleRun& run, LocalScale scale, int order) {
 }
 
 void residuals(const SampleRun& run, LocalScale scale, int order, const double* p, double* out) {
-    residuals_of(run, scale, order, p, out);
+    ResidualWriter writer{order, p, out};
+    residuals_of(run, scale, writer);
 }
 
 double squared_rest(const SampleRun& run, LocalScale scale, int order, const double* p) {

@@ -8,25 +8,31 @@
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
+#include "num/clones.hpp"
 
 namespace batten::fitting {
 namespace {
 
-/// 0, or NaN where there is a NaN or an Inf: at the speed of reading.
-double trace_of_trouble(std::span<const double> column) {
-    double lanes[8] = {};
-    const std::size_t whole = column.size() / 8 * 8;
-    for (std::size_t i = 0; i < whole; i += 8) {
-        for (std::size_t l = 0; l < 8; ++l) lanes[l] += column[i + l] * 0.0;
+/// Whether no abscissa is below the one before it or NaN: at the speed of reading.
+BATTEN_CLONES bool is_rising(std::span<const double> x) {
+    const double* const at = x.data();
+    long long falls = 0;
+    for (std::size_t i = 1; i < x.size(); ++i) falls += !(at[i] >= at[i - 1]);
+    return falls == 0;
+}
+
+/// Whether all lie in [lo, hi].
+BATTEN_CLONES bool are_within(std::span<const double> column, Interval range) {
+    const double* const at = column.data();
+    long long outside = 0;
+    for (std::size_t i = 0; i < column.size(); ++i) {
+        outside += !((at[i] >= range.lo) & (at[i] <= range.hi));
     }
-    double sum = 0;
-    for (const double lane : lanes) sum += lane;
-    for (std::size_t i = whole; i < column.size(); ++i) sum += column[i] * 0.0;
-    return sum;
+    return outside == 0;
 }
 
 /// The largest absolute value, at the speed of reading.
-double largest_of_column(std::span<const double> column) {
+BATTEN_CLONES double largest_of_column(std::span<const double> column) {
     double lanes[8] = {};
     const std::size_t whole = column.size() / 8 * 8;
     for (std::size_t i = 0; i < whole; i += 8) {
@@ -104,43 +110,23 @@ void sort_and_drop(Samples& samples) {
     samples.row_of = std::move(order);
 }
 
-/// What one reading of the data tells.
-struct FirstLook {
-    bool falls = false;   ///< x, somewhere
-    double largest = 0;   ///< |y|
-};
-
-/// Checks x and y, block by block, so that both come from memory once.
-FirstLook checked(std::span<const double> x, std::span<const double> y) {
-    constexpr std::size_t block = 1024;
-    double trouble = 0;
-    FirstLook look;
-    for (std::size_t first = 0; first < x.size(); first += block) {
-        const std::size_t count = std::min(block, x.size() - first);
-        trouble += trace_of_trouble(x.subspan(first, count));
-        trouble += trace_of_trouble(y.subspan(first, count));
-        const std::size_t from = std::max<std::size_t>(first, 1);
-        for (std::size_t i = from; i < first + count; ++i) look.falls |= x[i] < x[i - 1];
-        look.largest = std::max(look.largest, largest_of_column(y.subspan(first, count)));
-    }
-    if (trouble != 0) {
-        require_finite(x, "x");
-        require_finite(y, "y");
-    }
-    return look;
+/// Checks x. Whether it falls somewhere: where not, it is finite if its ends are.
+bool check_and_find_falls(std::span<const double> x) {
+    if (x.empty()) return false;
+    const bool is_sorted = is_rising(x);
+    if (!is_sorted || !std::isfinite(x.front()) || !std::isfinite(x.back())) require_finite(x, "x");
+    return !is_sorted;
 }
 
-bool has_weightless(const Samples& samples) {
-    bool weightless = false;
-    for (const double s : samples.sigma) weightless |= std::isinf(s);
-    return weightless;
-}
+constexpr Interval usable_errors{std::numeric_limits<double>::denorm_min(),
+                                 std::numeric_limits<double>::max()};
 
 void choose_sigma(Samples& samples, const FitSamples& given, const FitOptions& options) {
     if (!given.sigma.empty()) {
         samples.sigma = given.sigma;
         samples.source = SigmaSource::column;
-        require_sigma(given.sigma);
+        samples.has_weightless = !are_within(given.sigma, usable_errors);
+        if (samples.has_weightless) require_sigma(given.sigma);
     } else if (options.sigma) {
         if (!(*options.sigma > 0 && std::isfinite(*options.sigma))) {
             throw Error("fit.sigma", "sigma", format_number(*options.sigma),
@@ -224,13 +210,21 @@ Samples prepared(const FitSamples& given, const FitOptions& options) {
                         std::to_string(given.sigma.size()),
                     "x, y and sigma must be equally many");
     }
-    const FirstLook look = checked(given.x, given.y);
+    const bool falls = check_and_find_falls(given.x);
+    // Other ordinates are checked where they are reduced, in the cache.
+    const bool is_reduced_late = options.knots == KnotPlacement::free;
+    const double largest = largest_of_column(given.y);
+    const bool is_finite_so_far = std::isfinite(largest);  // NaN hides from comparisons
+    if (is_reduced_late || !is_finite_so_far || !options.sigma_model.empty()) {
+        require_finite(given.y, "y");
+    }
     Samples samples;
     samples.x = given.x;
     samples.sides = {given.y};
     choose_sigma(samples, given, options);
     if (given.x.empty()) throw Error("fit.too-few", "samples", "0", "there must be samples");
-    if (look.falls || has_weightless(samples)) {
+    if (falls || samples.has_weightless) {
+        require_finite(given.y, "y");
         const auto [lo, hi] = std::minmax_element(given.x.begin(), given.x.end());
         samples.range = {*lo, *hi};
         sort_and_drop(samples);
@@ -241,9 +235,9 @@ Samples prepared(const FitSamples& given, const FitOptions& options) {
         throw Error("fit.x-equal", "x", format_number(samples.range.lo),
                     "the abscissae must not all be equal");
     }
-    if (samples.size() > 0) require_units(samples, look.largest, options.degree);
+    if (samples.size() > 0) require_units(samples, largest, options.degree);
     if (!samples.sigma_known) {
-        estimate_sigma(samples, noise_from_differences(samples.x, samples.sides[0]), look.largest);
+        estimate_sigma(samples, noise_from_differences(samples.x, samples.sides[0]), largest);
     }
     samples.work = Work(options.progress);
     return samples;
@@ -267,14 +261,28 @@ Samples reweighted(const Samples& samples, std::span<const double> factor) {
     return result;
 }
 
+namespace {
+
+/// The first of the abscissae that is not below `bound`, sought near the first of all.
+template <class Below>
+const double* first_not(const double* from, const double* to, Below below) {
+    std::ptrdiff_t step = 64;
+    for (; to - from > step && below(from[step]); step *= 2) from += step;
+    return std::partition_point(from, from + std::min(step, to - from), below);
+}
+
+}  // namespace
+
 Rows rows_in(const Samples& samples, Rows within, Interval span, RightEnd end) {
-    const auto from = samples.x.begin() + static_cast<std::ptrdiff_t>(within.first);
-    const auto to = samples.x.begin() + static_cast<std::ptrdiff_t>(within.last);
-    const auto first = std::lower_bound(from, to, span.lo);
-    const auto last = end == RightEnd::closed ? std::upper_bound(first, to, span.hi)
-                                              : std::lower_bound(first, to, span.hi);
-    return {static_cast<std::size_t>(first - samples.x.begin()),
-            static_cast<std::size_t>(last - samples.x.begin())};
+    const double* const begin = samples.x.data();
+    const double* const to = begin + within.last;
+    const auto is_before = [](double bound) { return [bound](double x) { return x < bound; }; };
+    const double* const first = first_not(begin + within.first, to, is_before(span.lo));
+    const double* const last =
+        end == RightEnd::closed
+            ? first_not(first, to, [hi = span.hi](double x) { return x <= hi; })
+            : first_not(first, to, is_before(span.hi));
+    return {static_cast<std::size_t>(first - begin), static_cast<std::size_t>(last - begin)};
 }
 
 }  // namespace batten::fitting

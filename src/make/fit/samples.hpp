@@ -29,6 +29,7 @@ struct Samples {
     std::span<const double> sigma;               ///< empty where all are `common_sigma`
     double common_sigma = 1;
     bool sigma_known = false;
+    bool has_weightless = false;                 ///< among the samples as they were given
     SigmaSource source = SigmaSource::estimated;
     double least_delta2 = 0;         ///< what rounding leaves; 0 where sigma is known
     Work work;                       ///< told at every refit

@@ -2,134 +2,165 @@
 
 #include <algorithm>
 
-#include "make/fit/lanes.hpp"
+#include "num/lanes.hpp"
 
 namespace batten::fitting {
 namespace {
 
-constexpr std::size_t chunk = 512;
+using num::LaneMask;
+using num::Lanes;
+using num::lanes;
 
-/// Sums of one pass; the last psi are counted only where residuals are that large.
+constexpr std::size_t chunk = 512;
+/// So few samples are looked at again where one of them lies beyond 3 sigma.
+constexpr std::size_t short_run = 64;
+
+/// Sums of one pass.
 struct Sums {
     Lanes delta2 = {};
     Lanes largest = {};
     LaneMask within[3] = {};
-    LaneMask beyond[psi_count] = {};  ///< |e| > i sigma, i > 3
-    std::size_t sign_changes = 0, positive = 0;
-    bool was_positive = false, any = false;
+    LaneMask positive = {}, sign_changes = {};
 };
 
-/// `e`, `sigma` filled up to whole lanes with e = 0, sigma = 1.
-BATTEN_CLONES void add_lanes(const double* e, const double* sigma, std::size_t count, Sums& sums) {
+/// Residuals and their errors: `sigma` one a residual, or null and all are `common`.
+struct Residuals {
+    const double* e;  ///< filled up to whole lanes by 0; e[-1] is the residual before
+    const double* sigma;
+    double common;
+};
+
+BATTEN_INLINE void sigma_at(const Residuals& r, std::size_t i, Lanes& out) {
+    out = Lanes{} + r.common;
+    if (r.sigma) num::load(r.sigma + i, out);
+}
+
+BATTEN_CLONES void add_lanes(const Residuals& r, std::size_t count, Sums& sums) {
+    Sums s = sums;
+    const double weight = 1 / r.common;
     for (std::size_t i = 0; i < count; i += lanes) {
-        Lanes r, s;
-        load(e + i, r);
-        load(sigma + i, s);
-        const Lanes size = r < 0 ? -r : r;
-        const Lanes q = r / s;
-        sums.delta2 += q * q;
-        sums.largest = size > sums.largest ? size : sums.largest;
-        for (int w = 0; w < 3; ++w) sums.within[w] -= size <= (w + 1.0) * s;
+        Lanes e, before, sigma;
+        num::load(r.e + i, e);
+        num::load(r.e + i - 1, before);
+        sigma_at(r, i, sigma);
+        const Lanes size = e < 0 ? -e : e;
+        const Lanes q = r.sigma ? e / sigma : e * weight;
+        s.delta2 += q * q;
+        s.largest = size > s.largest ? size : s.largest;
+        for (int w = 0; w < 3; ++w) s.within[w] -= size <= (w + 1.0) * sigma;
+        const LaneMask is_positive = e >= 0, was_positive = before >= 0;
+        s.positive -= is_positive;
+        s.sign_changes -= is_positive ^ was_positive;
+    }
+    sums = s;
+}
+
+BATTEN_CLONES void add_beyond(const Residuals& r, std::size_t count, LaneMask* beyond) {
+    for (std::size_t i = 0; i < count; i += lanes) {
+        Lanes e, sigma;
+        num::load(r.e + i, e);
+        sigma_at(r, i, sigma);
+        const Lanes size = e < 0 ? -e : e;
+        for (int w = 3; w < psi_count; ++w) beyond[w] -= size > (w + 1.0) * sigma;
     }
 }
 
-BATTEN_CLONES void add_beyond(const double* e, const double* sigma, std::size_t count,
-                              LaneMask* beyond) {
-    for (std::size_t i = 0; i < count; i += lanes) {
-        Lanes r, s;
-        load(e + i, r);
-        load(sigma + i, s);
-        const Lanes size = r < 0 ? -r : r;
-        for (int w = 3; w < psi_count; ++w) beyond[w] -= size > (w + 1.0) * s;
-    }
+BATTEN_CLONES void subtract_from(const double* y, std::size_t count, double* s) {
+    for (std::size_t i = 0; i < count; ++i) s[i] = y[i] - s[i];
 }
 
-BATTEN_CLONES std::size_t count_positive(const double* e, std::size_t count) {
-    std::size_t positive = 0;
-    for (std::size_t i = 0; i < count; ++i) positive += e[i] >= 0;
-    return positive;
-}
+/// Room for a chunk of residuals, the one before it, and zeros that fill up whole lanes.
+class Chunk {
+public:
+    double* residuals() { return memory_ + lanes; }
 
-BATTEN_CLONES std::size_t count_changes(const double* e, std::size_t count) {
-    std::size_t changes = 0;
-    for (std::size_t i = 1; i < count; ++i) changes += (e[i] >= 0) != (e[i - 1] >= 0);
-    return changes;
-}
+private:
+    alignas(64) double memory_[lanes + chunk] = {};
+};
 
 class Pass {
 public:
-    /// Residuals of samples first ... in rising order; `e` has room for whole lanes.
-    void add(const Samples& samples, std::size_t first, double* e, std::size_t count) {
-        double filled[chunk];
-        const double* sigma = filled;
+    /// Residuals of samples first ... in rising order.
+    void add(const Samples& samples, std::size_t first, Chunk& memory, std::size_t count) {
+        double* const e = memory.residuals();
         const std::size_t whole = (count + lanes - 1) / lanes * lanes;
         std::fill(e + count, e + whole, 0.0);
-        if (samples.sigma.empty()) {
-            std::fill(filled, filled + whole, samples.common_sigma);
-        } else if (whole == count) {
-            sigma = samples.sigma.data() + first;
-        } else {
-            std::copy_n(samples.sigma.data() + first, count, filled);
-            std::fill(filled + count, filled + whole, 1.0);
+        e[-1] = count_ == 0 ? e[0] : last_;
+        last_ = e[count - 1];
+        double filled[chunk];
+        Residuals r{e, nullptr, samples.common_sigma};
+        if (!samples.sigma.empty()) {
+            r.sigma = samples.sigma.data() + first;
+            if (whole > count) {
+                std::copy_n(r.sigma, count, filled);
+                std::fill(filled + count, filled + whole, 1.0);
+                r.sigma = filled;
+            }
         }
-        const long long before = sum_of(sums_.within[2]);
-        add_lanes(e, sigma, whole, sums_);
-        if (sum_of(sums_.within[2]) - before < static_cast<long long>(whole)) {
-            add_beyond(e, sigma, whole, sums_.beyond);
-        }
+        for (std::size_t i = 0; i < whole; i += short_run) add_run(r, i, whole);
         padded_ += whole - count;
-        sums_.positive += count_positive(e, count);
-        sums_.sign_changes += count_changes(e, count);
-        if (sums_.any) sums_.sign_changes += (e[0] >= 0) != sums_.was_positive;
-        sums_.any = true;
-        sums_.was_positive = e[count - 1] >= 0;
+        // The zeros count as positive.
+        if (whole > count && last_ < 0) ++false_changes_;
         count_ += count;
     }
 
     ResidualTally result() const {
         ResidualTally t;
         const double n = static_cast<double>(count_);
-        t.delta2 = sum_of(sums_.delta2);
-        t.max_residual = largest_of(sums_.largest);
+        const auto counted = [&](const LaneMask& mask) {
+            return static_cast<std::size_t>(num::sum_of(mask));
+        };
+        t.delta2 = num::sum_of(sums_.delta2);
+        t.max_residual = num::largest_of(sums_.largest);
         for (std::size_t w = 0; w < psi_count; ++w) {
-            const double within =
-                w < 3 ? static_cast<double>(sum_of(sums_.within[w]) -
-                                            static_cast<long long>(padded_))
-                      : n - static_cast<double>(sum_of(sums_.beyond[w]));
-            t.psi[w] = within / n;
+            const std::size_t within = w < 3 ? counted(sums_.within[w]) - padded_
+                                             : count_ - counted(beyond_[w]);
+            t.psi[w] = static_cast<double>(within) / n;
         }
-        t.positive = sums_.positive;
-        t.runs = sums_.sign_changes + 1;
+        t.positive = counted(sums_.positive) - padded_;
+        t.runs = counted(sums_.sign_changes) - false_changes_ + 1;
         return t;
     }
 
 private:
+    void add_run(const Residuals& all, std::size_t first, std::size_t whole) {
+        const Residuals r{all.e + first, all.sigma ? all.sigma + first : nullptr, all.common};
+        const std::size_t count = std::min(short_run, whole - first);
+        const long long before = num::sum_of(sums_.within[2]);
+        add_lanes(r, count, sums_);
+        const long long within = num::sum_of(sums_.within[2]) - before;
+        if (within < static_cast<long long>(count)) add_beyond(r, count, beyond_);
+    }
+
     Sums sums_;
-    std::size_t count_ = 0, padded_ = 0;
+    LaneMask beyond_[psi_count] = {};  ///< |e| > i sigma, i > 3
+    std::size_t count_ = 0, padded_ = 0, false_changes_ = 0;
+    double last_ = 0;
 };
 
 }  // namespace
 
 ResidualTally tally(const Samples& samples, std::span<const double> residuals) {
     Pass pass;
-    double e[chunk];
+    Chunk memory;
+    double* const e = memory.residuals();
     for (std::size_t first = 0; first < residuals.size(); first += chunk) {
         const std::size_t count = std::min(chunk, residuals.size() - first);
         std::copy_n(residuals.data() + first, count, e);
-        pass.add(samples, first, e, count);
+        pass.add(samples, first, memory, count);
     }
     return pass.result();
 }
 
 ResidualTally tally(const Samples& samples, const SplineFunction& spline, int side) {
     Pass pass;
-    double e[chunk];
+    Chunk memory;
+    double* const e = memory.residuals();
     for (std::size_t first = 0; first < samples.size(); first += chunk) {
         const std::size_t count = std::min(chunk, samples.size() - first);
         spline.evaluate(samples.x.subspan(first, count), 0, {e, count});
-        const double* const y = samples.sides[static_cast<std::size_t>(side)].data() + first;
-        for (std::size_t i = 0; i < count; ++i) e[i] = y[i] - e[i];
-        pass.add(samples, first, e, count);
+        subtract_from(samples.sides[static_cast<std::size_t>(side)].data() + first, count, e);
+        pass.add(samples, first, memory, count);
     }
     return pass.result();
 }

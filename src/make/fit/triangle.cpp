@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "batten/base/error.hpp"
+#include "batten/base/text.hpp"
 #include "make/fit/moments.hpp"
 #include "num/cox_de_boor.hpp"
 #include "num/householder.hpp"
@@ -48,6 +51,12 @@ void back_substitute(const TriangleShape& shape, const double* triangle, double*
     }
 }
 
+[[noreturn]] void refuse_ordinate(const Samples& samples, std::size_t i, double y) {
+    const std::size_t row = samples.row(i);
+    throw Error("points.not-finite", "row " + std::to_string(row) + ", column y",
+                format_number(y), "coordinates must be finite", {row});
+}
+
 }  // namespace
 
 Reducer::Reducer(const Samples& samples, const LocalBasis& basis)
@@ -68,6 +77,8 @@ bool Reducer::reduce_by_moments(Rows rows, LocalScale scale, Rest rest, double* 
                         samples_.sigma.empty() ? nullptr : samples_.sigma.data() + rows.first,
                         rows.count()};
     const Moments m = chebyshev_moments(run, scale, shape_.order);
+    // NaN and Inf among the ordinates, or sums beyond a double: sample by sample.
+    if (!std::isfinite(m.side[0])) return false;
     const double mean_weight_sq = m.gram[0] / static_cast<double>(rows.count());
     if (!(m.largest_weight_sq < most_weight_ratio * mean_weight_sq)) return false;
     if (!factor(m, shape_, out)) return false;
@@ -93,7 +104,10 @@ void Reducer::reduce_by_reflections(Rows rows, LocalScale scale, double* out) co
             double* const row = block + i * width;
             const std::size_t r = first + static_cast<std::size_t>(i);
             basis_.values(scale(samples_.x[r]), row);
-            for (int s = 0; s < sides; ++s) row[k + s] = samples_.sides[s][r];
+            for (int s = 0; s < sides; ++s) {
+                row[k + s] = samples_.sides[s][r];
+                if (!std::isfinite(row[k + s])) refuse_ordinate(samples_, r, row[k + s]);
+            }
             const double sigma = samples_.sigma_at(r);
             for (int j = 0; j < width; ++j) row[j] /= sigma;
         }

@@ -20,7 +20,7 @@ struct Path {
 };
 
 template <std::size_t N>
-BATTEN_ARC_INLINE void speeds(const Path& path, const double* w, double* out) {
+BATTEN_INLINE void speeds(const Path& path, const double* w, double* out) {
     Values<N> x, value, sum{};
     for (std::size_t i = 0; i < N; ++i) x[i] = 2 * w[i] - 1;
     for (int k = 0; k < path.dim; ++k) {
@@ -37,7 +37,7 @@ BATTEN_ARC_INLINE void speeds(const Path& path, const double* w, double* out) {
     for (std::size_t i = 0; i < N; ++i) out[i] = sum[i];
 }
 
-BATTEN_ARC_CLONES void all_speeds(const Path& path, std::span<const double> w,
+BATTEN_CLONES void all_speeds(const Path& path, std::span<const double> w,
                                   std::span<double> out) {
     std::size_t i = 0;
     for (; i + 8 <= w.size(); i += 8) speeds<8>(path, &w[i], &out[i]);
@@ -61,7 +61,7 @@ std::size_t terms_needed(const double* c, std::size_t terms, double allowed) {
 
 /// The integral from -1, whose sum over k T_k(x) has one term more: the last is left out.
 template <std::size_t N>
-BATTEN_ARC_INLINE void integrate(const Values<N>& c, double half, Values<N>& out) {
+BATTEN_INLINE void integrate(const Values<N>& c, double half, Values<N>& out) {
     double start = 0, sign = 1;  // the sum of (-1)^(k + 1) out[k]
     for (std::size_t k = 1; k < N; ++k) {
         const double before = k == 1 ? 2 * c[0] : c[k - 1];
@@ -82,7 +82,7 @@ double length_of(const Values<N>& integral) {
 
 /// x with integral(x) = length (1 + sigma) / 2 for every node sigma; whether Newton got there.
 template <std::size_t N>
-BATTEN_ARC_INLINE bool invert(const Values<N>& integral, const Values<N>& speed, double half,
+BATTEN_INLINE bool invert(const Values<N>& integral, const Values<N>& speed, double half,
                               double length, const Nodes<N>& nodes, Values<N>& x) {
     Values<N> s, v;
     x = nodes.at;
@@ -106,7 +106,7 @@ BATTEN_ARC_INLINE bool invert(const Values<N>& integral, const Values<N>& speed,
 
 /// The largest error in arc length of the inverse, between its nodes and at both ends.
 template <std::size_t N>
-BATTEN_ARC_INLINE double inverse_error(const Values<N>& integral, double length, double end_speed,
+BATTEN_INLINE double inverse_error(const Values<N>& integral, double length, double end_speed,
                                        const Values<N>& inverse, std::size_t terms,
                                        const Nodes<N>& nodes) {
     Values<N> x, s;
@@ -145,7 +145,7 @@ Outcome another_try(double error, double size, double allowed) {
 }
 
 template <std::size_t N>
-BATTEN_ARC_INLINE Outcome make(const Rate& rate, Interval part, const Allowed& allowed,
+BATTEN_INLINE Outcome make(const Rate& rate, Interval part, const Allowed& allowed,
                                Cell& out) {
     const Nodes<N>& table = nodes<N>();
     const double half = 0.5 * part.length();
@@ -185,12 +185,12 @@ BATTEN_ARC_INLINE Outcome make(const Rate& rate, Interval part, const Allowed& a
     return Outcome::made;
 }
 
-BATTEN_ARC_CLONES Outcome make_16(const Rate& rate, Interval part, const Allowed& allowed,
+BATTEN_CLONES Outcome make_16(const Rate& rate, Interval part, const Allowed& allowed,
                                   Cell& out) {
     return make<16>(rate, part, allowed, out);
 }
 
-BATTEN_ARC_CLONES Outcome make_24(const Rate& rate, Interval part, const Allowed& allowed,
+BATTEN_CLONES Outcome make_24(const Rate& rate, Interval part, const Allowed& allowed,
                                   Cell& out) {
     return make<24>(rate, part, allowed, out);
 }

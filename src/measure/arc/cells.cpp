@@ -30,7 +30,7 @@ constexpr int rough_nodes = 8;
 constexpr std::size_t lanes = 8;
 
 template <std::size_t N>
-BATTEN_ARC_INLINE void evaluate(std::span<const double> c, const double* x, double* out) {
+BATTEN_INLINE void evaluate(std::span<const double> c, const double* x, double* out) {
     Values<N> at, value;
     std::copy_n(x, N, at.begin());
     sums_at<N>(c.data(), c.size(), at, value);
@@ -38,7 +38,7 @@ BATTEN_ARC_INLINE void evaluate(std::span<const double> c, const double* x, doub
 }
 
 /// out = sum c_k T_k(x), many at once.
-BATTEN_ARC_CLONES void evaluate_all(std::span<const double> c, std::span<double> x) {
+BATTEN_CLONES void evaluate_all(std::span<const double> c, std::span<double> x) {
     std::size_t i = 0;
     for (; i + lanes <= x.size(); i += lanes) evaluate<lanes>(c, &x[i], &x[i]);
     for (; i < x.size(); ++i) evaluate<1>(c, &x[i], &x[i]);

@@ -54,7 +54,7 @@ public:
     }
 
     template <int dim>
-    BATTEN_ARC_INLINE void run() {
+    BATTEN_INLINE void run() {
         const std::size_t count = curve_.pieces();
         for (std::size_t i = 0; i < count; i += width) {
             const std::size_t lanes = std::min(width, count - i);
@@ -94,7 +94,7 @@ public:
 
 private:
     template <int dim>
-    BATTEN_ARC_INLINE void load(std::size_t first, std::size_t lanes, Panels& panels) const {
+    BATTEN_INLINE void load(std::size_t first, std::size_t lanes, Panels& panels) const {
         const double* const breaks = curve_.breaks().data() + first;
         // The last block is filled up with copies of the last piece.
         const auto take_in = [&](const double* from, Lane& to) {
@@ -123,7 +123,7 @@ private:
 
     /// Adds the lanes that a rule suits; halves the others.
     template <int dim>
-    BATTEN_ARC_INLINE void take(const Panels& panels, const std::array<Owner, width>& owners,
+    BATTEN_INLINE void take(const Panels& panels, const std::array<Owner, width>& owners,
                                 std::size_t lanes) {
         Lane safe;
         dim == 2 ? judge_plane(panels, rules_, safe) : judge_space(panels, rules_, safe);
@@ -159,7 +159,7 @@ private:
     }
 
     template <int dim>
-    BATTEN_ARC_INLINE void integrate_ready(std::size_t rule) {
+    BATTEN_INLINE void integrate_ready(std::size_t rule) {
         Panels panels;
         std::vector<Panel>& ready = ready_[rule];
         for (std::size_t l = 0; l < ready.size(); ++l) {
@@ -175,7 +175,7 @@ private:
 
     /// Over w in [0, 1/2] and [1/2, 1], each again on [0, 1]: dr/dw halves.
     template <int dim>
-    BATTEN_ARC_INLINE void halve(const Panel& panel) {
+    BATTEN_INLINE void halve(const Panel& panel) {
         Panel first = panel, second = panel;
         for (int k = 0; k < dim; ++k) {
             const auto [p0, p1, p2] = panel.p[static_cast<std::size_t>(k)];
@@ -200,8 +200,8 @@ private:
     std::array<std::vector<Panel>, rule_nodes.size()> ready_;
 };
 
-BATTEN_ARC_CLONES void run_plane(Work& work) { work.run<2>(); }
-BATTEN_ARC_CLONES void run_space(Work& work) { work.run<3>(); }
+BATTEN_CLONES void run_plane(Work& work) { work.run<2>(); }
+BATTEN_CLONES void run_space(Work& work) { work.run<3>(); }
 
 /// The largest |c_j| h^j over all pieces and the extent of the joints.
 struct Sizes {

@@ -18,7 +18,7 @@ constexpr int most_dim = 3;
 /// Eight numbers that are worked on side by side, whatever vectors the processor has.
 typedef double Lane __attribute__((vector_size(64)));
 
-BATTEN_ARC_INLINE void root(const Lane& x, Lane& out) {
+BATTEN_INLINE void root(const Lane& x, Lane& out) {
     alignas(64) double numbers[width];
     std::memcpy(numbers, &x, sizeof x);
 #pragma GCC unroll 1
@@ -46,7 +46,7 @@ constexpr double most_growth = 2;
 ///
 /// In the plane p.p = z conj(z) for z = px + i py, and |T_k| <= (rho^k + rho^-k) / 2: z has no zero
 /// where the terms behind the mean add up to less than it.
-BATTEN_ARC_INLINE void judge_plane(const Panels& panels, std::span<const Rule> rules, Lane& safe) {
+BATTEN_INLINE void judge_plane(const Panels& panels, std::span<const Rule> rules, Lane& safe) {
     const Lane zero{};
     std::array<Lane, 3> size;
     for (std::size_t j = 0; j < 3; ++j) {
@@ -62,7 +62,7 @@ BATTEN_ARC_INLINE void judge_plane(const Panels& panels, std::span<const Rule> r
 
 /// In space: | p.p - mean^2 | <= mean^2 in the ellipse; so p.p has no zero there and is at most
 /// twice its mean.
-BATTEN_ARC_INLINE void judge_space(const Panels& panels, std::span<const Rule> rules, Lane& safe) {
+BATTEN_INLINE void judge_space(const Panels& panels, std::span<const Rule> rules, Lane& safe) {
     const Lane zero{};
     Lane mean_sq{}, d1{}, d2{}, s1{}, s2{};
     for (const auto& [p0, p1, p2] : panels.p) {
@@ -86,7 +86,7 @@ BATTEN_ARC_INLINE void judge_space(const Panels& panels, std::span<const Rule> r
 
 /// The integrals of the speed by one rule of an even number of nodes.
 template <int dim>
-BATTEN_ARC_INLINE void integrate(const Panels& panels, const num::GaussRule& rule, Lane& out) {
+BATTEN_INLINE void integrate(const Panels& panels, const num::GaussRule& rule, Lane& out) {
     const Lane zero{};
     Lane sum{};
     for (std::size_t i = rule.nodes.size(); i-- > rule.nodes.size() / 2;) {

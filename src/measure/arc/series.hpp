@@ -3,19 +3,11 @@
 #include <array>
 #include <cstddef>
 
+#include "num/clones.hpp"
+
 /// Chebyshev sums of a fixed number of terms, made from values at the zeros of T_n. The loops run
 /// over the nodes, which compilers turn into vector instructions; the order of every sum is fixed.
 namespace batten::arc {
-
-/// One binary holds copies of the marked functions for wider vectors. Contraction is off, so the
-/// copies give the same bits.
-#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define BATTEN_ARC_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define BATTEN_ARC_CLONES
-#endif
-#define BATTEN_ARC_INLINE inline __attribute__((always_inline))
 
 template <std::size_t N>
 using Values = std::array<double, N>;
@@ -34,7 +26,7 @@ const Nodes<N>& nodes();
 
 /// The coefficients of the sum with these values at the nodes.
 template <std::size_t N>
-BATTEN_ARC_INLINE void coefficients_of(const Nodes<N>& nodes, const Values<N>& values,
+BATTEN_INLINE void coefficients_of(const Nodes<N>& nodes, const Values<N>& values,
                                        Values<N>& out) {
     for (std::size_t k = 0; k < N; ++k) out[k] = 0;
     for (std::size_t i = 0; i < N; ++i) {
@@ -45,7 +37,7 @@ BATTEN_ARC_INLINE void coefficients_of(const Nodes<N>& nodes, const Values<N>& v
 
 /// The sum's first `terms` terms at every x.
 template <std::size_t N>
-BATTEN_ARC_INLINE void sums_at(const double* c, std::size_t terms, const Values<N>& x,
+BATTEN_INLINE void sums_at(const double* c, std::size_t terms, const Values<N>& x,
                                Values<N>& out) {
     Values<N> b1{}, b2{};
     for (std::size_t k = terms; k-- > 1;) {

@@ -3,25 +3,17 @@
 #include <cstddef>
 #include <cstring>
 
-/// Eight numbers at once, in a fixed order: the same bits whatever vectors the processor has.
-///
-/// Functions marked BATTEN_CLONES exist once per vector width in one binary. Contraction is off,
-/// so the copies give the same bits.
-#if defined(__x86_64__) && defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__) && !defined(__clang__)
-#define BATTEN_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define BATTEN_CLONES
-#endif
-#define BATTEN_INLINE inline __attribute__((always_inline))
+#include "num/clones.hpp"
 
-namespace batten::fitting {
+/// Eight numbers at once, in a fixed order: the same bits whatever vectors the processor has.
+namespace batten::num {
 
 constexpr std::size_t lanes = 8;
 typedef double Lanes __attribute__((vector_size(64)));
 typedef long long LaneMask __attribute__((vector_size(64)));
 
 BATTEN_INLINE void load(const double* from, Lanes& to) { std::memcpy(&to, from, sizeof to); }
+BATTEN_INLINE void store(const Lanes& from, double* to) { std::memcpy(to, &from, sizeof from); }
 
 /// The sum of the lanes, pair by pair.
 BATTEN_INLINE double sum_of(const Lanes& v) {
@@ -40,4 +32,4 @@ BATTEN_INLINE double largest_of(const Lanes& v) {
     return largest;
 }
 
-}  // namespace batten::fitting
+}  // namespace batten::num
