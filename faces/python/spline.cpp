@@ -30,7 +30,7 @@ auto view(Part part) {
     };
 }
 
-py::array_t<double> called(const SplineFunction& spline, const Array& x, int nu) {
+py::array_t<double> spline_values(const SplineFunction& spline, const Array& x, int nu) {
     if (nu < 0) throw Error("option.range", "nu", std::to_string(nu), "must be at least 0");
     py::array_t<double> result(std::vector<py::ssize_t>(x.shape(), x.shape() + x.ndim()));
     const std::span<const double> at{x.data(), static_cast<std::size_t>(x.size())};
@@ -77,7 +77,7 @@ void bind_spline(py::module_& module) {
                  return SplineFunction(numbers_of(t), numbers_of(c), k);
              }),
              py::arg("t"), py::arg("c"), py::arg("k") = 3)
-        .def("__call__", &called, py::arg("x"), py::arg("nu") = 0,
+        .def("__call__", &spline_values, py::arg("x"), py::arg("nu") = 0,
              "Values at x (any shape), or derivatives of order nu.")
         .def_property_readonly("t", view(&SplineFunction::knots), "knots")
         .def_property_readonly("c", view(&SplineFunction::coefficients), "coefficients")

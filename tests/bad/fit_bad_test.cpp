@@ -92,10 +92,10 @@ TEST(FitRefuses, NumbersThatAreNotFiniteWhereverTheyAreReduced) {
             FitOptions options;
             options.knots = knots;
             if (knots == KnotPlacement::equal) options.intervals = 20;
-            EXPECT_EQ(code_of(table, options), "points.not-finite row 3777, column y") << bad;
+            EXPECT_EQ(refusal(table, options), "points.not-finite row 3777, column y") << bad;
             table.y[3777] = 0;
             table.x[3777] = bad;
-            EXPECT_EQ(code_of(table, options), "points.not-finite row 3777, column x") << bad;
+            EXPECT_EQ(refusal(table, options), "points.not-finite row 3777, column x") << bad;
         }
     }
 }

@@ -17,7 +17,6 @@ struct BadCell {
     std::string text;
 };
 
-
 /// Columns of numbers, whatever file they came from.
 ///
 /// A cell without a finite number is no trouble until somebody asks for its column: a column of

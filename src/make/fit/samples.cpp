@@ -8,7 +8,7 @@
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
-#include "num/clones.hpp"
+#include "num/lanes.hpp"
 
 namespace batten::fitting {
 namespace {
@@ -29,22 +29,6 @@ BATTEN_CLONES bool are_within(std::span<const double> column, Interval range) {
         outside += !((at[i] >= range.lo) & (at[i] <= range.hi));
     }
     return outside == 0;
-}
-
-/// The largest absolute value, at the speed of reading.
-BATTEN_CLONES double largest_of_column(std::span<const double> column) {
-    double lanes[8] = {};
-    const std::size_t whole = column.size() / 8 * 8;
-    for (std::size_t i = 0; i < whole; i += 8) {
-        for (std::size_t l = 0; l < 8; ++l) {
-            const double size = std::fabs(column[i + l]);
-            lanes[l] = size > lanes[l] ? size : lanes[l];
-        }
-    }
-    for (std::size_t i = whole; i < column.size(); ++i) {
-        lanes[0] = std::max(lanes[0], std::fabs(column[i]));
-    }
-    return *std::max_element(lanes, lanes + 8);
 }
 
 void require_finite(std::span<const double> column, const char* name) {
@@ -110,12 +94,41 @@ void sort_and_drop(Samples& samples) {
     samples.row_of = std::move(order);
 }
 
-/// Checks x. Whether it falls somewhere: where not, it is finite if its ends are.
-bool check_and_find_falls(std::span<const double> x) {
-    if (x.empty()) return false;
-    const bool is_sorted = is_rising(x);
-    if (!is_sorted || !std::isfinite(x.front()) || !std::isfinite(x.back())) require_finite(x, "x");
-    return !is_sorted;
+/// What one reading of the data tells.
+struct FirstLook {
+    bool falls = false;   ///< x, somewhere
+    double largest = 0;   ///< |y|
+};
+
+/// The largest absolute value; infinite where one is NaN or Inf.
+BATTEN_CLONES double largest_of_column(std::span<const double> column) {
+    num::Lanes largest = {};
+    num::LaneMask finite = {};
+    const std::size_t whole = column.size() / num::lanes * num::lanes;
+    for (std::size_t i = 0; i < whole; i += num::lanes) {
+        num::Lanes v;
+        num::load(column.data() + i, v);
+        const num::Lanes size = v < 0 ? -v : v;
+        largest = size > largest ? size : largest;
+        finite -= size <= std::numeric_limits<double>::max();
+    }
+    double result = num::largest_of(largest);
+    bool are_finite = num::sum_of(finite) == static_cast<long long>(whole);
+    for (std::size_t i = whole; i < column.size(); ++i) {
+        are_finite &= std::isfinite(column[i]);
+        result = std::max(result, std::fabs(column[i]));
+    }
+    return are_finite ? result : std::numeric_limits<double>::infinity();
+}
+
+/// Checks x and y. Where x does not fall, it is finite if its ends are.
+FirstLook checked(std::span<const double> x, std::span<const double> y) {
+    if (x.empty()) return {};
+    const FirstLook look{!is_rising(x), largest_of_column(y)};
+    const bool is_suspect = look.falls || !std::isfinite(x.front()) || !std::isfinite(x.back());
+    if (is_suspect) require_finite(x, "x");
+    if (!std::isfinite(look.largest)) require_finite(y, "y");
+    return look;
 }
 
 constexpr Interval usable_errors{std::numeric_limits<double>::denorm_min(),
@@ -210,21 +223,13 @@ Samples prepared(const FitSamples& given, const FitOptions& options) {
                         std::to_string(given.sigma.size()),
                     "x, y and sigma must be equally many");
     }
-    const bool falls = check_and_find_falls(given.x);
-    // Other ordinates are checked where they are reduced, in the cache.
-    const bool is_reduced_late = options.knots == KnotPlacement::free;
-    const double largest = largest_of_column(given.y);
-    const bool is_finite_so_far = std::isfinite(largest);  // NaN hides from comparisons
-    if (is_reduced_late || !is_finite_so_far || !options.sigma_model.empty()) {
-        require_finite(given.y, "y");
-    }
+    const FirstLook look = checked(given.x, given.y);
     Samples samples;
     samples.x = given.x;
     samples.sides = {given.y};
     choose_sigma(samples, given, options);
     if (given.x.empty()) throw Error("fit.too-few", "samples", "0", "there must be samples");
-    if (falls || samples.has_weightless) {
-        require_finite(given.y, "y");
+    if (look.falls || samples.has_weightless) {
         const auto [lo, hi] = std::minmax_element(given.x.begin(), given.x.end());
         samples.range = {*lo, *hi};
         sort_and_drop(samples);
@@ -235,9 +240,9 @@ Samples prepared(const FitSamples& given, const FitOptions& options) {
         throw Error("fit.x-equal", "x", format_number(samples.range.lo),
                     "the abscissae must not all be equal");
     }
-    if (samples.size() > 0) require_units(samples, largest, options.degree);
+    if (samples.size() > 0) require_units(samples, look.largest, options.degree);
     if (!samples.sigma_known) {
-        estimate_sigma(samples, noise_from_differences(samples.x, samples.sides[0]), largest);
+        estimate_sigma(samples, noise_from_differences(samples.x, samples.sides[0]), look.largest);
     }
     samples.work = Work(options.progress);
     return samples;
