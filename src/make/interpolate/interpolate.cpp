@@ -44,7 +44,7 @@ Interpolation interpolate(PointsView points, const InterpolateOptions& options) 
 
 Curve curve_through(PointsView points, const InterpolateOptions& options) {
     interpolation::Request request = interpolation::checked_but_for_chords(points, options);
-    if (options.method == Method::natural_chord) {
+    if (options.method == Method::natural_chord && !options.closed) {
         if (auto plain = interpolation::plain_natural_curve(request.outline.points)) {
             return part_of(*std::move(plain), options);
         }
