@@ -85,8 +85,8 @@ void bind_spline(py::module_& module) {
         .def_property_readonly("breaks", view(&SplineFunction::breaks), "distinct knots")
         .def_property_readonly("power", &power_form,
                                "coefficients of (x - breaks[i])**(k - j) at [j, i]: SciPy's PPoly.c")
-        .def("derivative", &derivative, "dS/dx, of one degree less")
-        .def("antiderivative", &antiderivative, "the integral from the start")
+        .def("derivative", &batten::derivative, "dS/dx, of one degree less")
+        .def("antiderivative", &batten::antiderivative, "the integral from the start")
         .def("integrate", [](const SplineFunction& s, double a, double b) {
                  return integral(s, {a, b});
              }, py::arg("a"), py::arg("b"), "the integral from a to b")
