@@ -134,5 +134,26 @@ TEST(FittedSurface, ListsTheCoefficientsThatAHoleSwallows) {
     EXPECT_NEAR(made.surface(0.1, 0.9), 0.09, 1e-9);
 }
 
+/// The rule `distribution` needs every residual, so that its search reads the nodes at each step.
+TEST(FittedSurface, TakesTheSameStepsWhereTheNodesAreReadOnce) {
+    const auto f = [](double x, double y) { return std::sin(6 * x) * std::cos(5 * y) + x * y; };
+    const SurfaceTable table = surface_of(f, 300, 200, 0.02);
+    FitSurfaceOptions options;
+    options.sigma = 0.02;
+    options.stop = StopRule::distribution;
+    options.distribution = {0.68, 0.95, 0.99};
+    const std::vector<SurfaceStep> each = fit_surface(table.view(), options).report.path;
+    options.stop = StopRule::bic;
+    const std::vector<SurfaceStep> once = fit_surface(table.view(), options).report.path;
+    const std::size_t steps = std::min(each.size(), once.size());
+    ASSERT_GT(steps, 20u);
+    for (std::size_t i = 0; i < steps; ++i) {
+        EXPECT_EQ(once[i].intervals, each[i].intervals);
+        EXPECT_NEAR(once[i].delta2, each[i].delta2, 1e-10 * each[i].delta2);
+        EXPECT_TRUE(once[i].psi.empty());
+        EXPECT_FALSE(each[i].psi.empty());
+    }
+}
+
 }  // namespace fit_surface_test
 }  // namespace batten
