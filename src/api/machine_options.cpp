@@ -59,7 +59,7 @@ std::vector<double> feeds_for(const ArcChain& moves, const MachineOptions& optio
     constexpr double seconds = 60;  // a minute: the limits are told by the second
     SampleOptions walk;
     walk.law = options.feed_law;
-    walk.max_speed = options.feed / seconds;
+    if (options.feed_law == Law::time_optimal) walk.max_speed = options.feed / seconds;
     walk.max_lateral = options.max_lateral;
     walk.max_tangential = options.max_tangential;
     std::vector<double> feeds = piece_speeds(moves, walk);
