@@ -59,7 +59,7 @@ py::tuple without_knot(const SplineFunction& spline, std::size_t index) {
     return py::make_tuple(std::move(removal.spline), removal.max_error);
 }
 
-std::string shown(const SplineFunction& spline) {
+std::string spline_shown(const SplineFunction& spline) {
     const Interval domain = spline.domain();
     return "<batten.Spline: degree " + std::to_string(spline.degree()) + ", " +
            std::to_string(spline.pieces()) + " pieces over [" + format_number(domain.lo) + ", " +
@@ -101,7 +101,7 @@ void bind_spline(py::module_& module) {
              "the spline without t[index], and a bound of the change")
         .def("elevate_degree", &elevate_degree, py::arg("by") = 1, "the same, of a higher degree")
         .def("graph", &graph, "the Curve x(t) = t, y(t) = S(t)")
-        .def("__repr__", &shown)
+        .def("__repr__", &spline_shown)
         .def(py::pickle(
             [](const SplineFunction& s) {
                 return py::make_tuple(array_of(s.knots()), array_of(s.coefficients()), s.degree());

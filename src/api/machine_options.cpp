@@ -63,9 +63,8 @@ std::vector<double> feeds_for(const ArcChain& moves, const MachineOptions& optio
     walk.max_lateral = options.max_lateral;
     walk.max_tangential = options.max_tangential;
     std::vector<double> feeds = piece_speeds(moves, walk);
-    const double fastest = walk.max_speed
-                               ? *walk.max_speed
-                               : *std::max_element(feeds.begin(), feeds.end());
+    const double fastest =
+        walk.max_speed ? *walk.max_speed : *std::max_element(feeds.begin(), feeds.end());
     for (double& feed : feeds) feed = short_feed(feed * (options.feed / fastest));
     return feeds;
 }
