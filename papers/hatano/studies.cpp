@@ -16,30 +16,16 @@
 #include "batten/batten.hpp"
 #include "make/fit/exchange.hpp"
 #include "make/fit/local_basis.hpp"
+#include "noise.hpp"
 
 namespace {
 
 using namespace batten;
 
-/// Uniform and normal deviates from a seed, the same everywhere: splitmix64 [SteeleLeaFlood2014].
-class Noise {
-public:
-    explicit Noise(std::uint64_t seed) : state_(seed * 0xD1342543DE82EF95u + 1) {}
-    double uniform() {
-        state_ += 0x9E3779B97F4A7C15u;
-        std::uint64_t z = state_;
-        z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-        z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-        return (static_cast<double>((z ^ (z >> 31)) >> 11) + 0.5) * 0x1p-53;
-    }
-    double normal() {
-        const double radius = std::sqrt(-2 * std::log(uniform()));
-        return radius * std::cos(2 * std::numbers::pi * uniform());
-    }
+using papers::Noise;
 
-private:
-    std::uint64_t state_;
-};
+/// Noise of a study's own: far from that of the next seed.
+Noise noise_of(std::uint64_t seed) { return Noise(seed * 0xD1342543DE82EF95u + 1); }
 
 struct Data {
     std::vector<double> x, y, sigma;
@@ -106,7 +92,7 @@ void study_seeds(const std::string& cases) {
         int reached = 0;
         double worst = 0, slowest = 0;
         for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-            Noise noise(seed);
+            Noise noise = noise_of(seed);
             const auto start = std::chrono::steady_clock::now();
             fitting::FreeFit fit(samples, basis);
             const fitting::Descent found = grown(fit, best.interior, noise);
@@ -141,7 +127,7 @@ double truth(double x) {
 void study_noise(Robust robust, bool has_outliers, int sets) {
     std::vector<double> intervals, distances;
     for (int set = 0; set < sets; ++set) {
-        Noise noise(static_cast<std::uint64_t>(set));
+        Noise noise = noise_of(static_cast<std::uint64_t>(set));
         Data data;
         for (int i = 0; i <= 200; ++i) {
             data.x.push_back(0.5 * i);
@@ -186,7 +172,7 @@ double coverage(const std::function<double(double)>& f, double sigma, int n, int
                 const FitOptions& options) {
     double sum = 0;
     for (int set = 0; set < sets; ++set) {
-        Noise noise(static_cast<std::uint64_t>(100000 * n + set));
+        Noise noise = noise_of(static_cast<std::uint64_t>(100000 * n + set));
         Data data;
         for (int i = 0; i < n; ++i) {
             data.x.push_back((i + 0.5) / n);
@@ -206,7 +192,7 @@ void study_bands() {
     knots.insert(knots.end(), over.knots_values.begin(), over.knots_values.end());
     knots.insert(knots.end(), 4, 200.5 / 201);
     std::vector<double> c;
-    Noise noise(7);
+    Noise noise = noise_of(7);
     while (c.size() + 4 < knots.size()) c.push_back(noise.normal());
     const SplineFunction spline(knots, c, 3);
     std::cout << "share of the truth inside 95 % bands\ngiven knots, truth a spline over them, "

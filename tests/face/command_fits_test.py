@@ -1,0 +1,128 @@
+"""What the command promises: fits of data with known errors.
+
+usage: command_fits_test.py COMMAND SOURCE_FOLDER
+"""
+
+import json
+import os
+
+from command_folder import Folder, fits, main, points
+
+
+class Fits(Folder):
+    """batten fit"""
+
+    def test_the_titanium_data_stop_at_8_intervals_by_the_paper_rule(self):
+        report = self.report("fit", fits("titanium.csv"), "--stop", "distribution",
+                             "--distribution", "0.68,0.95,0.99", "-o", self.path("t.json"))
+        self.assertEqual(report["status"], "met")
+        self.assertEqual(report["report"]["intervals"], 8)
+        self.assertAlmostEqual(report["report"]["delta2"], 27.883080, delta=1e-6)
+        self.assertEqual(report["report"]["sigma_source"], "column")
+        self.assertEqual(report["report"]["breaks"],
+                         [595, 835, 865, 880, 895, 910, 925, 955, 1075])
+        self.assertEqual(len(report["report"]["path"]), 8)
+        self.assertEqual(len(report["report"]["covariance_band"]["x"]), 201)
+        top = min(report["report"]["extrema"], key=lambda e: abs(e["value"] - 900))
+        self.assertLess(abs(top["value"] - 899), 3)
+        self.assertLess(top["deviation"], 2)
+        self.assertGreater(report["report"]["integral"]["deviation"], 0)
+
+    def test_a_fit_is_a_curve_that_other_verbs_read(self):
+        curve = self.good("fit", fits("titanium.csv"), "--quiet").stdout
+        rows = self.good("evaluate", "-", "--at", "595,900", input=curve).stdout.splitlines()
+        self.assertEqual(len(rows), 3)
+        self.assertAlmostEqual(float(rows[2].split(",")[2]), 2.17, delta=0.05)
+        measured = json.loads(self.good("measure", "-", input=curve).stdout)
+        self.assertGreater(measured["report"]["length"], 480)
+
+    def test_a_table_of_residuals_is_written_by_suffix(self):
+        self.good("fit", fits("titanium.csv"), "-o", self.path("t.csv"))
+        with open(self.path("t.csv"), encoding="utf-8") as stream:
+            lines = stream.read().splitlines()
+        self.assertEqual(lines[0], "x,y,sigma,fit,residual")
+        self.assertEqual(len(lines), 50)
+        for line in lines[1:]:
+            x, y, sigma, fit, residual = map(float, line.split(","))
+            self.assertAlmostEqual(residual, y - fit, delta=1e-15)
+            self.assertEqual(sigma, 0.02)
+
+    def test_knots_come_as_a_list_or_in_a_file_with_or_without_the_ends(self):
+        knots = self.file("knots.csv", "595\n800\n900\n1075\n")
+        seen = [self.report("fit", fits("titanium.csv"), "--knots", how, "-o", self.path("t.csv"))
+                for how in ("800,900", "595,800,900,1075", knots)]
+        for report in seen:
+            self.assertEqual(report["report"]["breaks"], [595, 800, 900, 1075])
+            self.assertEqual(report["report"]["coefficients"], seen[0]["report"]["coefficients"])
+
+    def test_robust_alone_means_reject_wherever_it_stands(self):
+        rows = ["x,y"] + [f"{i},{(i % 7) * 0.01 + (2 if i == 30 else 0)}" for i in range(100)]
+        table = self.file("d.csv", "\n".join(rows))
+        for words in (("--robust", table, "--sigma", "0.05"), (table, "--sigma", "0.05", "--robust"),
+                      (table, "--robust", "reject", "--sigma", "0.05")):
+            report = self.report("fit", *words, "-o", self.path("o.csv"))
+            self.assertEqual(report["options"]["robust"], "reject")
+            self.assertEqual(report["report"]["rejected"], [30])
+
+    def test_columns_are_picked_by_name_or_place_and_sigma_may_be_a_number(self):
+        table = self.file("d.csv", "\n".join(
+            ["label,time,value"] + [f"p{i},{i},{i * i}" for i in range(20)]))
+        report = self.report("fit", table, "--x", "time", "--y", "#3", "--sigma", "2", "-o",
+                             self.path("o.json"))
+        self.assertEqual(report["report"]["sigma"], 2)
+        self.assertEqual(report["report"]["sigma_source"], "number")
+        self.assertLess(report["report"]["delta2"], 1e-20)
+
+    def test_parametric_fits_go_near_the_points(self):
+        report = self.report("fit", points("violin.csv"), "--parametric", "--closed", "--sigma",
+                             "2", "-o", self.path("v.json"))
+        self.assertEqual(report["report"]["samples"], 72)
+        with open(self.path("v.json"), encoding="utf-8") as stream:
+            self.assertTrue(json.load(stream)["closed"])
+        self.good("fit", points("violin.csv"), "--parametric", "--sigma", "2", "-o",
+                  self.path("v.csv"), "--draw", self.path("v.svg"))
+
+    def test_pictures_are_drawn_for_every_kind_of_knots(self):
+        for knots in ("auto", "equal", "free", "pruned"):
+            self.good("fit", fits("titanium.csv"), "--knots", knots, "-o", self.path("t.csv"),
+                      "--draw", self.path("t.svg"))
+            self.assertGreater(os.path.getsize(self.path("t.svg")), 5000)
+
+    def test_a_target_that_is_not_reached_exits_3(self):
+        table = self.file("d.csv", "x,y\n" + "\n".join(f"{i // 2},{i % 2}" for i in range(20)))
+        done = self.run_command("fit", table, "--sigma", "0.1", "--tolerance", "0.1", "-o",
+                                self.path("o.csv"))
+        self.assertEqual(done.returncode, 3, done.stderr)
+
+    def test_bad_input_is_refused_with_its_id_and_line(self):
+        good = [f"{i},{i % 3},1" for i in range(12)]
+
+        def refused(error_id, content, *more, says=()):
+            self.refused(error_id, "fit", self.file("d.csv", content), "-o", "out.json", *more,
+                         says=says)
+
+        def table(rows):
+            return "x,y,sigma\n" + "\n".join(rows) + "\n"
+
+        refused("fit.too-few", table(good[:3]))
+        refused("fit.too-few", table(good), "--knots", "1,2,3,4,5,6,7,8,9,10")
+        refused("fit.x-equal", table([f"5,{i},1" for i in range(12)]))
+        refused("fit.sigma", table(good[:4] + ["4,1,0"] + good[5:]),
+                says=("d.csv row 6", "column sigma"))
+        refused("fit.sigma", table(good), "--sigma", "-1")
+        refused("fit.sigma", table(good), "--sigma", "nan")
+        refused("points.not-finite", table(good[:4] + ["4,1,nan"] + good[5:]), says=("row 6",))
+        refused("fit.distribution", table(good), "--stop", "distribution", "--distribution",
+                "0.9,0.5")
+        refused("option.range", table(good), "--stop", "distribution", "--distribution", "0.9,1.5")
+        refused("fit.knots", table(good), "--knots", "4,40")
+        refused("fit.knots", table(good), "--knots", "6,4")
+        refused("option.range", table(good), "--intervals", "0", says=("--intervals",))
+        refused("points.not-finite", table(good[:5] + ["nan,1,1"] + good[6:]),
+                says=("d.csv row 7", "column x"))
+        refused("table.unknown-column", table(good), "--y", "height")
+        refused("table.unknown-column", table(good), "--sigma", "error")
+
+
+if __name__ == "__main__":
+    main()

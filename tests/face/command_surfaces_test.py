@@ -1,0 +1,179 @@
+"""What the command promises: surfaces: fits, level lines, fair grids.
+
+usage: command_surfaces_test.py COMMAND SOURCE_FOLDER
+"""
+
+import json
+import math
+import os
+import shutil
+import subprocess
+import sys
+import unittest
+
+from command_folder import Folder, main
+
+
+class Surfaces(Folder):
+    def grid(self):
+        rows = ["," + ",".join(str(0.1 * j) for j in range(11))]
+        for i in range(13):
+            cells = [str((0.1 * i - 0.6) ** 2 + (0.1 * j - 0.5) ** 2) for j in range(11)]
+            rows.append(",".join([str(0.1 * i)] + cells))
+        return self.file("grid.csv", "\n".join(rows) + "\n")
+
+    def test_a_grid_becomes_a_surface_and_its_level_line_a_curve(self):
+        report = self.report("fit-surface", self.grid(), "--sigma", "0.01", "-o",
+                             self.path("s.json"), "--draw", self.path("s.svg"))
+        self.assertEqual(report["report"]["intervals"], [1, 1])
+        self.assertEqual(report["report"]["samples"], 143)
+        self.good("contour", self.path("s.json"), "--levels", "0.09", "-o", self.path("c.json"))
+        circle = self.report("measure", self.path("c.json"))["report"]
+        self.assertAlmostEqual(circle["length"], 0.6 * math.pi, places=5)
+        for form in ("csv", "npy", "obj", "ply", "stl"):
+            self.good("fit-surface", self.grid(), "-o", self.path("s." + form))
+        for form in ("csv", "svg", "dxf"):
+            self.good("contour", self.path("s.json"), "-o", self.path("c." + form))
+
+    def test_pictures_of_surfaces_have_their_panels(self):
+        self.good("fit-surface", self.grid(), "--sigma", "0.01", "-o", self.path("s.json"),
+                  "--draw", self.path("s.svg"))
+        self.good("contour", self.path("s.json"), "--levels", "0.1,0.2", "-o",
+                  self.path("c.csv"), "--draw", self.path("c.svg"))
+        for name, captions in (("s.svg", ("data and knot lines", "lines of equal height",
+                                          "residuals", "the surface", "residual / σ")),
+                               ("c.svg", ("lines of equal height", "the surface", ">0.1<"))):
+            with open(self.path(name), encoding="utf-8") as stream:
+                text = stream.read()
+            for caption in captions:
+                self.assertIn(caption, text)
+
+    @unittest.skipUnless(shutil.which("gnuplot"), "needs gnuplot")
+    def test_pictures_of_surfaces_are_png_by_gnuplot(self):
+        self.good("fit-surface", self.grid(), "--sigma", "0.01", "--draw", self.path("s.png"))
+        with open(self.path("s.png"), "rb") as stream:
+            self.assertEqual(stream.read(4), b"\x89PNG")
+
+    def test_noisy_heights_give_the_curvature_of_a_level_circle_to_a_hundredth(self):
+        program = os.path.join(os.path.abspath(sys.argv[2]), "tools", "make_dome.py")
+        dome = self.file("dome.csv", subprocess.run([sys.executable, program], check=True,
+                                                    capture_output=True, text=True).stdout)
+        self.good("fit-surface", dome, "--sigma", "0.002", "--degree", "5", "-o",
+                  self.path("s.json"))
+        self.good("contour", self.path("s.json"), "--levels", "0.835270211", "-o",
+                  self.path("c.json"))
+        self.good("evaluate", self.path("c.json"), "--count", "721", "--derivatives", "2", "-o",
+                  self.path("d.csv"))
+        with open(self.path("d.csv"), encoding="utf-8") as stream:
+            rows = [[float(cell) for cell in line.split(",")] for line in list(stream)[1:]]
+        for _, _, _, dx, dy, ddx, ddy in rows:
+            bend = (dx * ddy - dy * ddx) / math.hypot(dx, dy) ** 3
+            self.assertAlmostEqual(0.3 * bend, 1, delta=0.01)
+
+    def surface(self):
+        self.good("fit-surface", self.grid(), "--sigma", "0.01", "-o", self.path("s.json"))
+        return self.path("s.json")
+
+    def test_a_surface_is_evaluated_measured_cut_converted_and_drawn(self):
+        surface = self.surface()
+        rows = self.good("evaluate", surface, "--at", "0.7,0.4", "--derivatives", "2",
+                         "--curvature").stdout.splitlines()
+        self.assertEqual(rows[0], "x,y,z,z_x,z_y,z_xx,z_xy,z_yy,nx,ny,nz,gaussian,mean")
+        for found, known in zip(rows[1].split(","), (0.7, 0.4, 0.02, 0.2, -0.2, 2, 0, 2)):
+            self.assertAlmostEqual(float(found), known, places=9)
+        places = self.file("places.csv", "x,y\n0.7,0.4\n0.6,0.5\n")
+        self.assertEqual(self.good("evaluate", surface, "--at", places).stdout.count("\n"), 3)
+        self.assertEqual(self.good("evaluate", surface, "--count", "5").stdout.count("\n"), 26)
+        whole = self.report("evaluate", surface, "--integral", "0,1.2,0,1")["report"]
+        self.assertAlmostEqual(whole["integral"], 0.244, places=9)
+        measures = self.report("measure", surface)["report"]
+        self.assertAlmostEqual(measures["integral"], 0.244, places=9)
+        self.assertAlmostEqual(measures["gaussian_curvature"]["largest"]["value"], 4, places=6)
+        cut = self.path("cut.json")
+        self.good("section", surface, "--y", "0.5", "-o", cut)
+        self.assertAlmostEqual(
+            self.report("evaluate", cut, "--integral", "0,1.2")["report"]["integral"], 0.144,
+            places=9)
+        for form in ("json", "csv", "npy", "obj", "ply", "stl"):
+            self.good("convert", surface, "--count", "9", "-o", self.path("c." + form))
+        again = self.path("again.json")
+        self.good("fit-surface", self.path("c.csv"), "--sigma", "0.01", "-o", again)
+        patches = json.loads(self.good("convert", surface, "--format", "patches").stdout)
+        self.assertEqual(len(patches["patches"]), 1)
+        self.good("draw", surface, "--surface", "--contours", "5", "-o", self.path("picture.svg"))
+        with open(self.path("picture.svg"), encoding="utf-8") as stream:
+            self.assertIn("the surface", stream.read())
+
+    def test_a_surface_refuses_what_is_asked_of_curves(self):
+        surface = self.surface()
+        self.refused("surface.option", "evaluate", surface, "--roots")
+        self.refused("surface.option", "convert", surface, "--reverse")
+        self.refused("surface.outside", "evaluate", surface, "--at", "0.7,4")
+        self.refused("option.value", "evaluate", surface, "--at", "0.7")
+        self.refused("surface.section", "section", surface)
+        self.refused("surface.outside", "section", surface, "--x", "9")
+        self.refused("input.kind", "compare", surface, "--to", surface)
+        self.refused("input.kind", "fit", surface)
+
+    def test_a_job_passes_surfaces_on(self):
+        rows = [[(0.1 * i - 0.6) ** 2 + (0.1 * j - 0.5) ** 2 for j in range(11)] for i in range(13)]
+        job = [{"operation": "fit-surface", "input": rows, "name": "bowl",
+                "options": {"sigma": 0.01, "x": [0.1 * i for i in range(13)],
+                            "y": [0.1 * j for j in range(11)]}},
+               {"operation": "contour", "input": "bowl", "options": {"levels": [0.09]},
+                "output": self.path("c.json")}]
+        self.good("run", self.file("job.json", json.dumps(job)))
+        circle = self.report("measure", self.path("c.json"))["report"]
+        self.assertAlmostEqual(circle["length"], 0.6 * math.pi, places=5)
+        job[1]["operation"] = "measure"
+        job[1].pop("options")
+        job[0]["input"][2].pop()
+        self.refused("grid.ragged", "run", self.file("job.json", json.dumps(job)))
+
+    def nodes(self):
+        rows = ["v,u,z,x,y"]
+        for i in range(9):
+            for j in range(8):
+                u, v = 0.1 * i, 0.1 * j
+                bump = 0.001 * ((7 * i + 5 * j) % 3 - 1) if 0 < i < 8 and 0 < j < 7 else 0
+                rows.append(f"{j},{i},{math.sin(v) + bump},{math.cos(v) * math.cos(u)},"
+                            f"{math.cos(v) * math.sin(u)}")
+        return self.file("nodes.csv", "\n".join(rows) + "\n")
+
+    def test_a_grid_of_points_is_made_fair(self):
+        report = self.report("fair-surface", self.nodes(), "-o", self.path("fair.csv"),
+                             "--draw", self.path("fair.svg"))
+        self.assertAlmostEqual(report["report"]["gaussian_curvature"]["rms"], 1, delta=0.1)
+        with open(self.path("fair.csv"), encoding="utf-8") as stream:
+            lines = stream.read().splitlines()
+        self.assertEqual(lines[0], "u,v,x,y,z,gaussian,mean")
+        self.assertEqual(len(lines), 73)
+        self.good("fair-surface", self.path("fair.csv"), "-o", self.path("again.csv"))
+        for form in ("obj", "ply", "stl"):
+            self.good("fair-surface", self.nodes(), "-o", self.path("fair." + form))
+        heights = self.report("fair-surface", self.grid(), "--border", "g1", "-o",
+                              self.path("heights.csv"))
+        self.assertLess(heights["report"]["max_displacement"], 1e-3)
+
+    def test_the_papers_step_is_told_unstable(self):
+        done = self.run_command("fair-surface", self.nodes(), "--engine", "filter", "-o",
+                               self.path("fair.csv"))
+        self.assertEqual(done.returncode, 3)
+
+    def test_holes_of_a_grid_of_points_are_refused(self):
+        with open(self.nodes(), encoding="utf-8") as stream:
+            lines = stream.read().splitlines()
+        self.refused("grid.holes", "fair-surface",
+                     self.file("holed.csv", "\n".join(lines[:20] + lines[21:]) + "\n"))
+        self.refused("grid.not-a-grid", "fair-surface",
+                     self.file("twice.csv", "\n".join(lines + lines[-1:]) + "\n"))
+
+    def test_what_is_no_grid_is_refused(self):
+        bad = self.file("bad.csv", "x,y,f\n0,0,1\n0,1,1\n1,0,1\n")
+        self.refused("grid.not-a-grid", "fit-surface", bad)
+        self.refused("picture.format", "fit-surface", self.file("a.png", "text"))
+        self.refused("surface.format", "contour", self.grid())
+
+
+if __name__ == "__main__":
+    main()
