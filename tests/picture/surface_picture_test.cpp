@@ -133,7 +133,7 @@ TEST(Picture, OfContoursShowsThemAsAMapAndUponTheSurface) {
     EXPECT_EQ(none.draw().panels.size(), 1u);
 }
 
-TEST(Picture, OfACoonsPatchIsALitSheetWithItsParameterLines) {
+TEST(Picture, OfACoonsPatchIsALitSheetWithItsParameterLinesAndMapsOfItsCurvatures) {
     const auto side = [](std::vector<double> ends) {
         return Input{"side", curve_through(Points(std::move(ends), 3), {})};
     };
@@ -146,7 +146,22 @@ TEST(Picture, OfACoonsPatchIsALitSheetWithItsParameterLines) {
     EXPECT_EQ(sheet->lines.size(), 20u);
     // The middle of the patch is halfway between its arched and its straight side.
     EXPECT_NEAR(sheet->nodes(18, 18, 2), 0.5, 1e-12);
+    ASSERT_EQ(drawing.panels.size(), 3u);
+    const auto* mean = std::get_if<MapLayer>(&drawing.panels[2].layers[0]);
+    ASSERT_NE(mean, nullptr);
+    EXPECT_GT(std::fabs(mean->values(30, 0)), 10 * std::fabs(mean->values(30, 60)));
     EXPECT_NE(svg(drawing).find("<path"), std::string::npos);
+}
+
+TEST(Picture, OfAFlatPatchSaysSoInPlaceOfAMapOfRounding) {
+    const auto side = [](std::vector<double> ends) {
+        return Input{"side", curve_through(Points(std::move(ends), 3), {})};
+    };
+    const std::vector<Input> sides{side({0, 0, 0.1, 3, 0, 0.1}), side({0, 1, 0.1, 3, 1, 0.1}),
+                                   side({0, 0, 0.1, 0, 1, 0.1}), side({3, 0, 0.1, 3, 1, 0.1})};
+    const Drawing drawing = find_operation("coons")->run(sides, {}, {}).draw();
+    EXPECT_EQ(drawing.panels[1].caption, "Gaussian curvature: 0 everywhere");
+    EXPECT_EQ(drawing.panels[2].caption, "mean curvature: 0 everywhere");
 }
 
 TEST(Gnuplot, IsToldReliefsAndMaps) {
