@@ -2,16 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "api/row.hpp"
 #include "batten/base/error.hpp"
+#include "batten/io/draw/surface_plots.hpp"
 #include "batten/io/point_grid.hpp"
 #include "batten/io/surface_file.hpp"
+#include "io/draw/axes/ticks.hpp"
 
 namespace batten::api {
 namespace {
 
 constexpr std::size_t most_lines_drawn = 40;
+constexpr std::size_t most_lines_mapped = 80;
+constexpr int maps_width = 960;
 
 PointGrid nodes_input(std::span<const Input> inputs) {
     if (inputs.size() == 1) {
@@ -56,6 +61,15 @@ std::vector<Points> lines_of(const Grid& nodes) {
     return runs;
 }
 
+std::string name_of(SurfaceTarget target) {
+    return target == SurfaceTarget::gaussian ? "Gaussian curvature" : "mean curvature";
+}
+
+double curvature_at(const Grid& nodes, SurfaceTarget target, std::size_t i, std::size_t j) {
+    return target == SurfaceTarget::gaussian ? gaussian_curvature(nodes, i, j)
+                                             : mean_curvature(nodes, i, j);
+}
+
 /// Curvature along lines of constant v.
 std::vector<Points> curvatures_of(const Grid& nodes, SurfaceTarget target) {
     std::vector<Points> runs;
@@ -63,8 +77,7 @@ std::vector<Points> curvatures_of(const Grid& nodes, SurfaceTarget target) {
     for (std::size_t j = 1; j + 1 < nodes.nv(); j += every) {
         runs.emplace_back(0, 2);
         for (std::size_t i = 1; i + 1 < nodes.nu(); ++i) {
-            const double value = target == SurfaceTarget::gaussian ? gaussian_curvature(nodes, i, j)
-                                                                   : mean_curvature(nodes, i, j);
+            const double value = curvature_at(nodes, target, i, j);
             runs.back().push_back(std::array{static_cast<double>(i), value});
         }
     }
@@ -82,7 +95,7 @@ Panel curvature_panel(const Grid& before, const Grid& after, SurfaceTarget targe
     }
     const double margin = 0.6 * std::fmax(most - least, 0.1 * std::fabs(most + least));
     Panel panel;
-    panel.caption = target == SurfaceTarget::gaussian ? "Gaussian curvature" : "mean curvature";
+    panel.caption = name_of(target) + ", line by line";
     panel.kind = PanelKind::chart;
     panel.x_label = "line u";
     panel.y_label = "curvature";
@@ -94,12 +107,87 @@ Panel curvature_panel(const Grid& before, const Grid& after, SurfaceTarget targe
     return panel;
 }
 
-Drawing picture(const Grid& before, const Grid& after, SurfaceTarget target) {
+/// By how much the curvature at inner node (i, j) may be off because coordinates are rounded: second
+/// differences of coordinates over the squared shortest chord.
+double rounding_at(const Grid& nodes, SurfaceTarget target, std::size_t i, std::size_t j) {
+    double reach = 0, u_sq = 0, v_sq = 0;
+    for (int k = 0; k < 3; ++k) {
+        const double here = nodes(i, j, k);
+        const double along_u = nodes(i + 1, j, k) - here, along_v = nodes(i, j + 1, k) - here;
+        reach = std::fmax(reach, std::fabs(here));
+        u_sq += along_u * along_u;
+        v_sq += along_v * along_v;
+    }
+    const double bend_off =
+        32 * std::numeric_limits<double>::epsilon() * reach / std::fmin(u_sq, v_sq);
+    if (target == SurfaceTarget::mean) return bend_off;
+    const double mean = std::fabs(mean_curvature(nodes, i, j));
+    const double bent = std::fmax(mean, std::sqrt(std::fabs(gaussian_curvature(nodes, i, j))));
+    return bend_off * (2 * bent + bend_off);
+}
+
+double largest_rounding(const Grid& nodes, SurfaceTarget target) {
+    double most = 0;
+    for (std::size_t i = 1; i + 1 < nodes.nu(); ++i) {
+        for (std::size_t j = 1; j + 1 < nodes.nv(); ++j) {
+            most = std::fmax(most, rounding_at(nodes, target, i, j));
+        }
+    }
+    return most;
+}
+
+/// The curvature of the inner nodes, or of every few of many, over u and v.
+MapLayer map_of(const PointGrid& grid, SurfaceTarget target) {
+    const std::size_t every_u = grid.nodes.nu() / most_lines_mapped + 1;
+    const std::size_t every_v = grid.nodes.nv() / most_lines_mapped + 1;
+    MapLayer map;
+    for (std::size_t i = 1; i + 1 < grid.nodes.nu(); i += every_u) map.x.push_back(grid.u[i]);
+    for (std::size_t j = 1; j + 1 < grid.nodes.nv(); j += every_v) map.y.push_back(grid.v[j]);
+    map.values = Grid(map.x.size(), map.y.size());
+    for (std::size_t p = 0; p < map.x.size(); ++p) {
+        for (std::size_t q = 0; q < map.y.size(); ++q) {
+            map.values(p, q) = curvature_at(grid.nodes, target, 1 + p * every_u, 1 + q * every_v);
+        }
+    }
+    map.bar = target == SurfaceTarget::gaussian ? "K" : "H";
+    map.ramp = Ramp::diverging;
+    return map;
+}
+
+/// A map of a curvature; where it is the same all over but for rounding the caption says so.
+Panel curvature_map(const PointGrid& faired, SurfaceTarget target) {
+    MapLayer map = map_of(faired, target);
+    Panel panel = map_panel({{map.x.front(), map.x.back()}, {map.y.front(), map.y.back()}},
+                            name_of(target) + ", faired");
+    panel.x_label = "u";
+    panel.y_label = "v";
+    const double rounding = largest_rounding(faired.nodes, target);
+    const std::span<const double> values = map.values.view().values();
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    if (*most - *least <= 2 * rounding) {
+        const double middle = *least + (*most - *least) / 2;
+        const double even = std::fabs(middle) <= rounding ? 0 : middle;
+        const double limit = even == 0 ? 1 : std::fabs(even);
+        panel.caption += ": " + drawing::short_number(even) + " everywhere";
+        for (std::size_t p = 0; p < map.x.size(); ++p) {
+            for (std::size_t q = 0; q < map.y.size(); ++q) map.values(p, q) = even;
+        }
+        map.range = Interval{-limit, limit};
+    }
+    panel.add(std::move(map));
+    return panel;
+}
+
+Drawing picture(const Grid& before, const PointGrid& faired, SurfaceTarget target) {
+    const Grid& after = faired.nodes;
     Drawing drawing;
+    drawing.width = maps_width;
     drawing.panels.front().caption = "nodes";
     drawing.add(PolylineLayer{lines_of(before), "nodes", {Tone::grey, Dash::solid, 0.6}});
     drawing.add(PolylineLayer{lines_of(after), "faired", {Tone::accent, Dash::solid, 0.8}});
     drawing.panels.push_back(curvature_panel(before, after, target));
+    drawing.panels.push_back(curvature_map(faired, SurfaceTarget::gaussian));
+    drawing.panels.push_back(curvature_map(faired, SurfaceTarget::mean));
     drawing.columns = 2;
     return drawing;
 }
@@ -120,8 +208,8 @@ Outcome run(std::span<const Input> inputs, const FairSurfaceOptions& options) {
             made.report.status,
             {},
             report_value(made.report),
-            [before = given.nodes, nodes, options] {
-                return picture(before, nodes, options.target);
+            [given, nodes, options] {
+                return picture(given.nodes, {given.u, given.v, nodes, {}}, options.target);
             },
             {{"obj", [nodes] { return obj_mesh(nodes); }},
              {"ply", [nodes] { return ply_mesh(nodes); }},

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -213,6 +214,45 @@ TEST(Sheet, LooksTheSameAtAnyScale) {
     };
     EXPECT_EQ(drawn(1), drawn(1024));
     EXPECT_EQ(drawn(1), drawn(0x1p-20));
+}
+
+/// A table of 17 x 17 points of space over u and v.
+Outcome faired(const std::function<std::array<double, 3>(double, double)>& at) {
+    std::string text = "u,v,x,y,z\n";
+    for (double u = 0; u < 17; ++u) {
+        for (double v = 0; v < 17; ++v) {
+            const std::array<double, 3> p = at(u / 16, v / 16);
+            text += format_number(u / 16) + "," + format_number(v / 16);
+            for (const double x : p) text += "," + format_number(x);
+            text += "\n";
+        }
+    }
+    const Input input{"nodes.csv", Source{"nodes.csv", text}};
+    return find_operation("fair-surface")->run({&input, 1}, {}, {});
+}
+
+TEST(Picture, OfAFairedSurfaceHasMapsOfBothCurvatures) {
+    const Drawing drawing = faired([](double u, double v) {
+                                const double wobble = std::sin(997 * u * u + 311 * v);
+                                const double z = 0.15 * std::sin(4 * u) * std::cos(3 * v);
+                                return std::array{u, v, z + 0.001 * wobble};
+                            }).draw();
+    ASSERT_EQ(drawing.panels.size(), 4u);
+    for (const std::size_t panel : {2u, 3u}) {
+        const auto* map = std::get_if<MapLayer>(&drawing.panels[panel].layers[0]);
+        ASSERT_NE(map, nullptr);
+        EXPECT_EQ(map->ramp, Ramp::diverging);
+    }
+    EXPECT_TRUE(is_golden("fair_surface.svg", svg(drawing)));
+}
+
+TEST(Picture, OfAFairedPlaneAskewSaysThatItIsFlat) {
+    const Drawing drawing = faired([](double u, double v) {
+                                return std::array{3.3 + 0.7 * u - 0.6 * v, 0.6 * u + 0.7 * v - 1.7,
+                                                  0.9 + 0.3 * u + 0.1 * v};
+                            }).draw();
+    EXPECT_EQ(drawing.panels[2].caption, "Gaussian curvature, faired: 0 everywhere");
+    EXPECT_EQ(drawing.panels[3].caption, "mean curvature, faired: 0 everywhere");
 }
 
 }  // namespace surface_picture_test
