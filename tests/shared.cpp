@@ -63,7 +63,11 @@ std::string source_file(std::string_view name) {
 }
 
 std::string scratch_file(std::string_view name) {
-    const std::filesystem::path path = std::string(BATTEN_SCRATCH_DIR "/scratch/").append(name);
+    // Tests run beside each other: what one writes or removes is no other's.
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    const std::string owner = test ? std::string(test->test_suite_name()) + '.' + test->name() : "";
+    const std::filesystem::path path =
+        std::filesystem::path(BATTEN_SCRATCH_DIR "/scratch") / owner / name;
     std::filesystem::create_directories(path.parent_path());
     return path.string();
 }
