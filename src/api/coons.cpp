@@ -5,14 +5,13 @@
 #include <numbers>
 #include <optional>
 
+#include "api/curvature_map.hpp"
 #include "api/row.hpp"
 #include "batten/base/error.hpp"
 #include "batten/io/curve_file.hpp"
 #include "batten/io/json.hpp"
 #include "batten/io/surface_file.hpp"
-#include "batten/io/draw/surface_plots.hpp"
 #include "batten/measure/surface.hpp"
-#include "io/draw/axes/ticks.hpp"
 
 namespace batten::api {
 namespace {
@@ -180,60 +179,34 @@ Points border_of(const CoonsPatch& patch) {
     return border;
 }
 
-/// Curvatures over the square of u and v, and within what they are the same but for rounding.
-struct CurvatureMap {
-    MapLayer layer;
-    Interval range{std::numeric_limits<double>::infinity(),
-                   -std::numeric_limits<double>::infinity()};
-    double rounding = 0;
-
-    bool is_constant() const { return !(range.length() > rounding); }
-};
-
-CurvatureMap curvatures_of(const CoonsPatch& patch, double SurfaceBend::*curvature) {
-    constexpr std::size_t cells = 60;
-    constexpr double share = 1e-9;
-    CurvatureMap map;
-    map.layer.values = Grid(cells + 1, cells + 1);
-    for (std::size_t i = 0; i <= cells; ++i) {
-        map.layer.x.push_back(double(i) / cells);
-        map.layer.y.push_back(double(i) / cells);
-        for (std::size_t j = 0; j <= cells; ++j) {
-            const auto bend = surface_bend(patch.jet(double(i) / cells, double(j) / cells));
-            if (!bend) {
-                map.layer.values.drop(i, j);
-                continue;
-            }
-            const double value = *bend.*curvature;
-            map.layer.values(i, j) = value;
-            map.range = {std::min(map.range.lo, value), std::max(map.range.hi, value)};
-            const double bent = std::fmax(std::sqrt(std::fabs(bend->gaussian)), std::fabs(bend->mean));
-            map.rounding = std::fmax(
-                map.rounding, share * (curvature == &SurfaceBend::mean ? bent : bent * bent));
-        }
-    }
-    return map;
+/// By how much rounded coordinates may move the normal curvatures.
+double bend_rounding(const SurfaceJet& jet) {
+    const auto size = [](const std::array<double, 3>& a) { return std::hypot(a[0], a[1], a[2]); };
+    const double least = std::fmin(size(jet.u), size(jet.v));
+    const double most = std::fmax(size(jet.point), std::fmax(size(jet.u), size(jet.v)));
+    return 64 * std::numeric_limits<double>::epsilon() * most / (least * least);
 }
 
-/// A map of one of the two curvatures; where it is the same all over the caption says so, in place
-/// of a map of rounding.
-Panel curvature_map(const CoonsPatch& patch, double SurfaceBend::*curvature, const char* name) {
-    CurvatureMap map = curvatures_of(patch, curvature);
-    map.layer.bar = curvature == &SurfaceBend::mean ? "H" : "K";
-    map.layer.ramp = Ramp::diverging;
-    Panel panel = map_panel({{0, 1}, {0, 1}}, name);
-    panel.x_label = "u";
-    panel.y_label = "v";
-    if (map.is_constant()) {
-        const double size = std::fabs(map.range.hi);
-        const bool is_zero = !(size > map.rounding);
-        const double limit = is_zero ? 1 : size;
-        panel.caption += is_zero ? ": 0 everywhere"
-                                 : ": " + drawing::short_number(map.range.hi) + " everywhere";
-        map.layer.range = Interval{-limit, limit};
+CurvatureField curvatures_of(const CoonsPatch& patch, SurfaceTarget curvature) {
+    constexpr std::size_t cells = 60;
+    CurvatureField field{curvature, {}, {}, Grid(cells + 1, cells + 1)};
+    for (std::size_t i = 0; i <= cells; ++i) {
+        field.u.push_back(double(i) / cells);
+        field.v.push_back(double(i) / cells);
     }
-    panel.add(std::move(map.layer));
-    return panel;
+    for (std::size_t i = 0; i <= cells; ++i) {
+        for (std::size_t j = 0; j <= cells; ++j) {
+            const SurfaceJet jet = patch.jet(field.u[i], field.v[j]);
+            const auto bend = surface_bend(jet);
+            if (!bend) {
+                field.values.drop(i, j);
+                continue;
+            }
+            field.values(i, j) = curvature == SurfaceTarget::mean ? bend->mean : bend->gaussian;
+            field.allow(bend->gaussian, bend->mean, bend_rounding(jet));
+        }
+    }
+    return field;
 }
 
 Drawing picture(const CoonsPatch& patch, const std::optional<ZebraView>& view) {
@@ -241,9 +214,9 @@ Drawing picture(const CoonsPatch& patch, const std::optional<ZebraView>& view) {
     if (!view) {
         drawing.add(sheet_of(patch));
         drawing.panels.front().caption = "the patch";
-        drawing.panels.push_back(
-            curvature_map(patch, &SurfaceBend::gaussian, "Gaussian curvature"));
-        drawing.panels.push_back(curvature_map(patch, &SurfaceBend::mean, "mean curvature"));
+        for (const SurfaceTarget curvature : {SurfaceTarget::gaussian, SurfaceTarget::mean}) {
+            drawing.panels.push_back(curvature_map(curvatures_of(patch, curvature)));
+        }
         return drawing;
     }
     add_stripes(drawing, patch, *view);

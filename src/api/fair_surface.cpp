@@ -4,12 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "api/curvature_map.hpp"
 #include "api/row.hpp"
 #include "batten/base/error.hpp"
-#include "batten/io/draw/surface_plots.hpp"
 #include "batten/io/point_grid.hpp"
 #include "batten/io/surface_file.hpp"
-#include "io/draw/axes/ticks.hpp"
 
 namespace batten::api {
 namespace {
@@ -61,10 +60,6 @@ std::vector<Points> lines_of(const Grid& nodes) {
     return runs;
 }
 
-std::string name_of(SurfaceTarget target) {
-    return target == SurfaceTarget::gaussian ? "Gaussian curvature" : "mean curvature";
-}
-
 double curvature_at(const Grid& nodes, SurfaceTarget target, std::size_t i, std::size_t j) {
     return target == SurfaceTarget::gaussian ? gaussian_curvature(nodes, i, j)
                                              : mean_curvature(nodes, i, j);
@@ -107,9 +102,9 @@ Panel curvature_panel(const Grid& before, const Grid& after, SurfaceTarget targe
     return panel;
 }
 
-/// By how much the curvature at inner node (i, j) may be off because coordinates are rounded: second
+/// By how much rounded coordinates may move the normal curvatures at inner node (i, j): second
 /// differences of coordinates over the squared shortest chord.
-double rounding_at(const Grid& nodes, SurfaceTarget target, std::size_t i, std::size_t j) {
+double bend_rounding(const Grid& nodes, std::size_t i, std::size_t j) {
     double reach = 0, u_sq = 0, v_sq = 0;
     for (int k = 0; k < 3; ++k) {
         const double here = nodes(i, j, k);
@@ -118,64 +113,27 @@ double rounding_at(const Grid& nodes, SurfaceTarget target, std::size_t i, std::
         u_sq += along_u * along_u;
         v_sq += along_v * along_v;
     }
-    const double bend_off =
-        32 * std::numeric_limits<double>::epsilon() * reach / std::fmin(u_sq, v_sq);
-    if (target == SurfaceTarget::mean) return bend_off;
-    const double mean = std::fabs(mean_curvature(nodes, i, j));
-    const double bent = std::fmax(mean, std::sqrt(std::fabs(gaussian_curvature(nodes, i, j))));
-    return bend_off * (2 * bent + bend_off);
+    return 32 * std::numeric_limits<double>::epsilon() * reach / std::fmin(u_sq, v_sq);
 }
 
-double largest_rounding(const Grid& nodes, SurfaceTarget target) {
-    double most = 0;
-    for (std::size_t i = 1; i + 1 < nodes.nu(); ++i) {
-        for (std::size_t j = 1; j + 1 < nodes.nv(); ++j) {
-            most = std::fmax(most, rounding_at(nodes, target, i, j));
+/// The curvature of the inner nodes, or of every few of many.
+CurvatureField curvatures_of(const PointGrid& grid, SurfaceTarget target) {
+    const Grid& nodes = grid.nodes;
+    const std::size_t every_u = nodes.nu() / most_lines_mapped + 1;
+    const std::size_t every_v = nodes.nv() / most_lines_mapped + 1;
+    CurvatureField field{target, {}, {}};
+    for (std::size_t i = 1; i + 1 < nodes.nu(); i += every_u) field.u.push_back(grid.u[i]);
+    for (std::size_t j = 1; j + 1 < nodes.nv(); j += every_v) field.v.push_back(grid.v[j]);
+    field.values = Grid(field.u.size(), field.v.size());
+    for (std::size_t p = 0; p < field.u.size(); ++p) {
+        for (std::size_t q = 0; q < field.v.size(); ++q) {
+            const std::size_t i = 1 + p * every_u, j = 1 + q * every_v;
+            field.values(p, q) = curvature_at(nodes, target, i, j);
+            field.allow(gaussian_curvature(nodes, i, j), mean_curvature(nodes, i, j),
+                        bend_rounding(nodes, i, j));
         }
     }
-    return most;
-}
-
-/// The curvature of the inner nodes, or of every few of many, over u and v.
-MapLayer map_of(const PointGrid& grid, SurfaceTarget target) {
-    const std::size_t every_u = grid.nodes.nu() / most_lines_mapped + 1;
-    const std::size_t every_v = grid.nodes.nv() / most_lines_mapped + 1;
-    MapLayer map;
-    for (std::size_t i = 1; i + 1 < grid.nodes.nu(); i += every_u) map.x.push_back(grid.u[i]);
-    for (std::size_t j = 1; j + 1 < grid.nodes.nv(); j += every_v) map.y.push_back(grid.v[j]);
-    map.values = Grid(map.x.size(), map.y.size());
-    for (std::size_t p = 0; p < map.x.size(); ++p) {
-        for (std::size_t q = 0; q < map.y.size(); ++q) {
-            map.values(p, q) = curvature_at(grid.nodes, target, 1 + p * every_u, 1 + q * every_v);
-        }
-    }
-    map.bar = target == SurfaceTarget::gaussian ? "K" : "H";
-    map.ramp = Ramp::diverging;
-    return map;
-}
-
-/// A map of a curvature; where it is the same all over but for rounding the caption says so.
-Panel curvature_map(const PointGrid& faired, SurfaceTarget target) {
-    MapLayer map = map_of(faired, target);
-    Panel panel = map_panel({{map.x.front(), map.x.back()}, {map.y.front(), map.y.back()}},
-                            name_of(target) + ", faired");
-    panel.x_label = "u";
-    panel.y_label = "v";
-    const double rounding = largest_rounding(faired.nodes, target);
-    const std::span<const double> values = map.values.view().values();
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    if (*most - *least <= 2 * rounding) {
-        const double middle = *least + (*most - *least) / 2;
-        const double even = std::fabs(middle) <= rounding ? 0 : middle;
-        const double limit = even == 0 ? 1 : std::fabs(even);
-        panel.caption += ": " + drawing::short_number(even) + " everywhere";
-        for (std::size_t p = 0; p < map.x.size(); ++p) {
-            for (std::size_t q = 0; q < map.y.size(); ++q) map.values(p, q) = even;
-        }
-        map.range = Interval{-limit, limit};
-    }
-    panel.add(std::move(map));
-    return panel;
+    return field;
 }
 
 Drawing picture(const Grid& before, const PointGrid& faired, SurfaceTarget target) {
@@ -186,8 +144,9 @@ Drawing picture(const Grid& before, const PointGrid& faired, SurfaceTarget targe
     drawing.add(PolylineLayer{lines_of(before), "nodes", {Tone::grey, Dash::solid, 0.6}});
     drawing.add(PolylineLayer{lines_of(after), "faired", {Tone::accent, Dash::solid, 0.8}});
     drawing.panels.push_back(curvature_panel(before, after, target));
-    drawing.panels.push_back(curvature_map(faired, SurfaceTarget::gaussian));
-    drawing.panels.push_back(curvature_map(faired, SurfaceTarget::mean));
+    for (const SurfaceTarget curvature : {SurfaceTarget::gaussian, SurfaceTarget::mean}) {
+        drawing.panels.push_back(curvature_map(curvatures_of(faired, curvature), ", faired"));
+    }
     drawing.columns = 2;
     return drawing;
 }

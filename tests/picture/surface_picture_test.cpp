@@ -158,8 +158,9 @@ TEST(Picture, OfAFlatPatchSaysSoInPlaceOfAMapOfRounding) {
     const auto side = [](std::vector<double> ends) {
         return Input{"side", curve_through(Points(std::move(ends), 3), {})};
     };
-    const std::vector<Input> sides{side({0, 0, 0.1, 3, 0, 0.1}), side({0, 1, 0.1, 3, 1, 0.1}),
-                                   side({0, 0, 0.1, 0, 1, 0.1}), side({3, 0, 0.1, 3, 1, 0.1})};
+    // Askew to the axes, so that no coordinate is the same all over.
+    const std::vector<Input> sides{side({0, 0, 0.1, 3, 0.7, 1}), side({-0.3, 1, 0.6, 2.7, 1.7, 1.5}),
+                                   side({0, 0, 0.1, -0.3, 1, 0.6}), side({3, 0.7, 1, 2.7, 1.7, 1.5})};
     const Drawing drawing = find_operation("coons")->run(sides, {}, {}).draw();
     EXPECT_EQ(drawing.panels[1].caption, "Gaussian curvature: 0 everywhere");
     EXPECT_EQ(drawing.panels[2].caption, "mean curvature: 0 everywhere");
