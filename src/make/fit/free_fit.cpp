@@ -1,27 +1,11 @@
 #include "make/fit/free_fit.hpp"
 
 #include <algorithm>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 
 #include "num/cox_de_boor.hpp"
 
 namespace batten::fitting {
-namespace {
-
-constexpr std::size_t cache_size = 512;  // a power of two; direct mapped
-
-std::size_t cache_place(Interval span) {
-    std::uint64_t a = 0, b = 0;
-    std::memcpy(&a, &span.lo, sizeof a);
-    std::memcpy(&b, &span.hi, sizeof b);
-    // Fibonacci hashing [Knuth1998, 6.4].
-    const std::uint64_t mixed = (a * 0x9E3779B97F4A7C15u) ^ (b * 0xC2B2AE3D27D4EB4Fu);
-    return static_cast<std::size_t>((mixed >> 40) % cache_size);
-}
-
-}  // namespace
 
 int KnotSet::count() const {
     int sum = 0;
@@ -40,34 +24,15 @@ std::vector<double> KnotSet::flat() const {
 FreeFit::FreeFit(const Samples& samples, const LocalBasis& basis)
     : samples_(samples),
       basis_(basis),
-      reducer_(samples, basis),
-      system_(basis, reducer_.shape(), Ends::open),
-      cache_(cache_size) {
-    if (samples.size() > Growth::tree_from) {
-        tree_ = std::make_unique<ReductionTree>(reducer_, samples.range);
-    }
-}
-
-const double* FreeFit::triangle(Interval span, Rows rows, RightEnd end) {
-    Cached& slot = cache_[cache_place(span)];
-    if (slot.lo == span.lo && slot.hi == span.hi) return slot.triangle.data();
-    slot.lo = span.lo;
-    slot.hi = span.hi;
-    slot.triangle.resize(reducer_.shape().size());
-    if (tree_ && rows.count() > 2 * ReductionTree::leaf_rows) {
-        tree_->over(span, end, slot.triangle.data());
-    } else {
-        reducer_.reduce(rows, span, Rest::wanted, slot.triangle.data());
-    }
-    return slot.triangle.data();
-}
+      reduced_(samples, basis),
+      system_(basis, reduced_.shape(), Ends::open) {}
 
 bool FreeFit::set_knots(const KnotSet& set) {
     const int k = order();
     knots_ = open_knots(domain(), set.flat(), k);
     spans_ = spans_of(knots_, k);
     firsts_.resize(spans_.size());
-    triangles_.resize(spans_.size() * reducer_.shape().size());
+    triangles_.resize(spans_.size() * reduced_.shape().size());
     blocks_.resize(spans_.size() * system_.block_size());
     cells_.clear();
     rest_ = 0;
@@ -79,16 +44,16 @@ bool FreeFit::set_knots(const KnotSet& set) {
         const Rows rows = rows_in(samples_, left, span, end);
         left.first = rows.last;
         add_cells(knots_, k, spans_[i], samples_, rows, cells_);
-        const double* const t = triangle(span, rows, end);
-        std::copy_n(t, reducer_.shape().size(), triangles_.data() + i * reducer_.shape().size());
+        const double* const t = reduced_.triangle(span, rows, end);
+        std::copy_n(t, reduced_.shape().size(), triangles_.data() + i * reduced_.shape().size());
         firsts_[i] = static_cast<int>(spans_[i]) - k + 1;
-        rests_[i] = t[reducer_.shape().rest()];
+        rests_[i] = t[reduced_.shape().rest()];
         rest_ += rests_[i];
     }
     const int functions = static_cast<int>(knots_.size()) - k;
     if (rank_of(cells_, functions) < functions) return false;
     for (std::size_t i = 0; i < spans_.size(); ++i) {
-        system_.make_block(knots_, spans_[i], triangles_.data() + i * reducer_.shape().size(),
+        system_.make_block(knots_, spans_[i], triangles_.data() + i * reduced_.shape().size(),
                            blocks_.data() + i * system_.block_size());
     }
     system_.solve(functions, firsts_, blocks_);
@@ -111,7 +76,7 @@ double FreeFit::value(const KnotSet& set) {
 /// dS/dt_l on every span, as rows of the reduced problem (R times Chebyshev coefficients), for
 /// the knot with index l: out[span * order + row].
 void FreeFit::make_slopes(std::size_t l, double* out) {
-    const int k = order(), width = reducer_.shape().width();
+    const int k = order(), width = reduced_.shape().width();
     const std::span<const double> c = system_.coefficients(0);
     longer_ = knots_;
     longer_.insert(longer_.begin() + static_cast<std::ptrdiff_t>(l), knots_[l]);
@@ -143,7 +108,7 @@ void FreeFit::make_slopes(std::size_t l, double* out) {
                 if (f >= 0 && f < k) q[a] += b[a * k + j] * d[f];
             }
         }
-        const double* const r = triangles_.data() + s * reducer_.shape().size();
+        const double* const r = triangles_.data() + s * reduced_.shape().size();
         for (int i = 0; i < k; ++i) {
             double sum = 0;
             for (int a = i; a < k; ++a) sum += r[i * width + a] * q[a];
@@ -157,7 +122,7 @@ double FreeFit::gradient(const KnotSet& set, std::vector<double>& g) {
     g.assign(set.size(), 0.0);
     if (!(j < std::numeric_limits<double>::infinity())) return j;
     const std::size_t k = static_cast<std::size_t>(order());
-    const int width = reducer_.shape().width();
+    const int width = reduced_.shape().width();
     slopes_.resize(set.size() * spans_.size() * k);
     std::size_t l = k;
     for (std::size_t v = 0; v < set.size(); ++v) {
@@ -194,7 +159,7 @@ double FreeFit::normal_matrix(const KnotSet& set, std::vector<double>& g,
         const double* const block = blocks_.data() + s * system_.block_size();
         for (int i = 0; i < k; ++i) {
             double* const row = rows_.data() + i * (k + m);
-            std::copy_n(block + i * reducer_.shape().width(), k, row);
+            std::copy_n(block + i * reduced_.shape().width(), k, row);
             for (int v = 0; v < m; ++v) {
                 row[k + v] = slopes_[(static_cast<std::size_t>(v) * spans_.size() + s) *
                                          static_cast<std::size_t>(k) +

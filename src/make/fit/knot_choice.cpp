@@ -7,6 +7,7 @@
 #include "batten/base/text.hpp"
 #include "make/fit/fixed_fit.hpp"
 #include "make/fit/free_choice.hpp"
+#include "make/fit/held.hpp"
 #include "make/fit/pruned_choice.hpp"
 #include "make/fit/shape_limits.hpp"
 #include "make/fit/tolerance_choice.hpp"
@@ -119,7 +120,9 @@ std::vector<double> factors_over(const Samples& samples, const Samples& weighted
                                  const LocalBasis& basis, const KnotChoice& choice,
                                  Robust robust) {
     std::vector<double> e(samples.size());
-    spline_of(solve_fixed(weighted, choice.knots, basis, Ends::open)).evaluate(samples.x, 0, e);
+    FixedFit fixed = solve_fixed(weighted, choice.knots, basis, Ends::open);
+    hold_smooth(fixed, choice.held);
+    spline_of(fixed).evaluate(samples.x, 0, e);
     for (std::size_t i = 0; i < e.size(); ++i) e[i] = samples.sides[0][i] - e[i];
     return robust_factors(robust, samples, e);
 }
