@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "make/fit/finish.hpp"
 #include "make/fit/held.hpp"
@@ -124,45 +125,91 @@ Sieved without_isolated(Samples samples, const FitOptions& options) {
     return {std::move(rest), std::move(dropped)};
 }
 
-}  // namespace
+/// Knots that are chosen without a look at the samples, who are many: they can be looked at while
+/// they are reduced.
+bool may_believe(const FitSamples& given, const FitOptions& options) {
+    constexpr std::size_t many = 4096;  // fewer are in the cache anyway
+    const KnotPlacement placement = placement_of(options);
+    const bool is_fixed = placement == KnotPlacement::given ||
+                          (placement == KnotPlacement::equal && options.intervals);
+    return is_fixed && given.x.size() >= many && options.robust == Robust::none &&
+           !has_limits(options);
+}
 
-Fit fit(const FitSamples& given, const FitOptions& options) {
-    require_options(options);
+/// A fit and what it is of.
+struct Solved {
+    Samples samples;
+    std::vector<std::size_t> dropped;
+    KnotChoice choice;
+    FinalFit last;
+};
+
+std::optional<Solved> solved_looking(const FitSamples& given, const LocalBasis& basis,
+                                     const FitOptions& options) {
+    std::optional<Samples> samples;
+    if (may_believe(given, options)) samples = believed(given, options);
+    if (!samples) return std::nullopt;
+    KnotChoice choice = choose_knots(*samples, basis, options);
+    std::optional<FixedFit> fixed = solve_looking(*samples, choice.knots, basis, ends_of(options));
+    if (!fixed) return std::nullopt;
+    return Solved{std::move(*samples), {}, std::move(choice), {nullptr, std::move(*fixed), {}}};
+}
+
+Solved solved(const FitSamples& given, const LocalBasis& basis, const FitOptions& options) {
     Sieved sieved = without_isolated(prepared(given, options), options);
-    const Samples& samples = sieved.samples;
-    const LocalBasis basis(options.degree + 1);
-    KnotChoice choice = choose_knots(samples, basis, options);
-    FinalFit last = final_fit(samples, basis, choice, options);
-    const Samples& used = last.weighted ? *last.weighted : samples;
-    SplineFunction spline = spline_of(last.fixed);
+    KnotChoice choice = choose_knots(sieved.samples, basis, options);
+    FinalFit last = final_fit(sieved.samples, basis, choice, options);
+    return {std::move(sieved.samples), std::move(sieved.dropped), std::move(choice),
+            std::move(last)};
+}
 
+/// The report of everything but the bands.
+FitReport report_of(Solved& solved, const SplineFunction& spline) {
+    const Samples& samples = solved.samples;
+    const Samples& used = solved.last.weighted ? *solved.last.weighted : samples;
     FitReport report;
     const ResidualTally residuals = tally(used, spline);
-    fill_criteria(report, last.fixed,
+    fill_criteria(report, solved.last.fixed,
                   {residuals.delta2, used.size(),
                    samples.sigma_known ? SigmaKnowledge::known : SigmaKnowledge::unknown, 1,
                    samples.least_delta2});
     fill_tally(report, residuals);
     fill_spline(report, spline);
-    report.parameters_charged += choice.moved;
-    report.rejected = std::move(last.rejected);
-    report.rejected.insert(report.rejected.end(), sieved.dropped.begin(), sieved.dropped.end());
+    report.parameters_charged += solved.choice.moved;
+    report.rejected = std::move(solved.last.rejected);
+    report.rejected.insert(report.rejected.end(), solved.dropped.begin(), solved.dropped.end());
     std::sort(report.rejected.begin(), report.rejected.end());
     report.sigma_source = samples.source;
     if (samples.sigma.empty()) report.sigma = samples.common_sigma;
-    report.path = std::move(choice.path);
-    report.notes = std::move(choice.notes);
+    report.path = std::move(solved.choice.path);
+    report.notes = std::move(solved.choice.notes);
     note_what_sigma_hides(report);
-    report.status = status_of(report, choice, last.is_within);
-    if (!last.is_within) report.notes.push_back("limits: no spline over these knots keeps them");
+    report.status = status_of(report, solved.choice, solved.last.is_within);
+    if (!solved.last.is_within) {
+        report.notes.push_back("limits: no spline over these knots keeps them");
+    }
+    return report;
+}
+
+}  // namespace
+
+Fit fit(const FitSamples& given, const FitOptions& options) {
+    require_options(options);
+    const LocalBasis basis(options.degree + 1);
+    std::optional<Solved> early = solved_looking(given, basis, options);
+    Solved all = early ? std::move(*early) : solved(given, basis, options);
+    const Samples& used = all.last.weighted ? *all.last.weighted : all.samples;
+    SplineFunction spline = spline_of(all.last.fixed);
+    FitReport report = report_of(all, spline);
     const FitCovariance covariance(std::make_shared<FitCovariance::Model>(FitCovariance::Model{
-        CoefficientLaw(spline, last.fixed.system, last.fixed.functions, last.fixed.held),
-        limited(std::move(choice.alternatives), used, basis, options), width_of(report)}));
+        CoefficientLaw(spline, all.last.fixed.system, all.last.fixed.functions,
+                       all.last.fixed.held),
+        limited(std::move(all.choice.alternatives), used, basis, options), width_of(report)}));
     if (report.undetermined.empty()) fill_band(report, spline, covariance);
     if (options.suggest > 0) {
         report.suggestions = covariance.suggest(options.suggest, used.sigma_at(used.size() / 2));
     }
-    samples.work.finish();
+    all.samples.work.finish();
     return {std::move(spline), covariance, std::move(report)};
 }
 

@@ -5,6 +5,7 @@
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
+#include "make/fit/first_look.hpp"
 
 namespace batten::fitting {
 namespace {
@@ -22,6 +23,33 @@ double largest_entry(std::span<const double> blocks, const TriangleShape& shape)
         if (!is_side) largest = std::max(largest, std::fabs(blocks[i]));
     }
     return largest;
+}
+
+/// The triangles of all spans, and what counting needs (open splines).
+struct Reduced {
+    std::vector<double> triangles;
+    std::vector<Cell> cells;
+};
+
+Reduced reduced(const Reducer& reducer, std::span<const double> knots, Ends ends,
+                FirstLook* look) {
+    const Samples& samples = reducer.samples();
+    const int order = reducer.shape().order;
+    const std::vector<std::size_t> spans = spans_of(knots, order);
+    Reduced all;
+    all.triangles.resize(spans.size() * reducer.shape().size());
+    Rows rest{0, samples.size()};
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+        const Interval span{knots[spans[i]], knots[spans[i] + 1]};
+        const RightEnd end = i + 1 == spans.size() ? RightEnd::closed : RightEnd::open;
+        const Rows rows = rows_in(samples, rest, span, end);
+        rest.first = rows.last;
+        if (look) look_at(samples, rows, *look);
+        double* const out = all.triangles.data() + i * reducer.shape().size();
+        reducer.reduce(rows, span, Rest::unwanted, out);
+        if (ends == Ends::open) add_cells(knots, order, spans[i], samples, rows, all.cells);
+    }
+    return all;
 }
 
 }  // namespace
@@ -65,19 +93,19 @@ FixedFit solve_from(std::vector<double> knots, const LocalBasis& basis, const Tr
 FixedFit solve_fixed(const Samples& samples, std::vector<double> knots, const LocalBasis& basis,
                      Ends ends) {
     const Reducer reducer(samples, basis);
-    const std::vector<std::size_t> spans = spans_of(knots, basis.order());
-    std::vector<double> triangles(spans.size() * reducer.shape().size());
-    std::vector<Cell> cells;
-    Rows rest{0, samples.size()};
-    for (std::size_t i = 0; i < spans.size(); ++i) {
-        const Interval span{knots[spans[i]], knots[spans[i] + 1]};
-        const RightEnd end = i + 1 == spans.size() ? RightEnd::closed : RightEnd::open;
-        const Rows rows = rows_in(samples, rest, span, end);
-        rest.first = rows.last;
-        reducer.reduce(rows, span, Rest::unwanted, triangles.data() + i * reducer.shape().size());
-        if (ends == Ends::open) add_cells(knots, basis.order(), spans[i], samples, rows, cells);
+    const Reduced all = reduced(reducer, knots, ends, nullptr);
+    return solve_from(std::move(knots), basis, reducer.shape(), ends, all.triangles, all.cells);
+}
+
+std::optional<FixedFit> solve_looking(const Samples& samples, std::vector<double> knots,
+                                      const LocalBasis& basis, Ends ends) {
+    const Reducer reducer(samples, basis);
+    FirstLook look;
+    const Reduced all = reduced(reducer, knots, ends, &look);
+    if (!look.is_clean(samples) || !has_usable_units(samples, look, basis.order() - 1)) {
+        return std::nullopt;
     }
-    return solve_from(std::move(knots), basis, reducer.shape(), ends, triangles, cells);
+    return solve_from(std::move(knots), basis, reducer.shape(), ends, all.triangles, all.cells);
 }
 
 SplineFunction spline_of(const FixedFit& fixed, int side) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,10 @@ struct FixedFit {
 /// Cost: one pass over the samples, O(p order^3).
 FixedFit solve_fixed(const Samples& samples, std::vector<double> knots, const LocalBasis& basis,
                      Ends ends);
+
+/// The same of samples that are only believed to be as they should; nothing where they are not.
+std::optional<FixedFit> solve_looking(const Samples& samples, std::vector<double> knots,
+                                      const LocalBasis& basis, Ends ends);
 
 /// The same from triangles that are there already (one a span, in order).
 FixedFit solve_from(std::vector<double> knots, const LocalBasis& basis, const TriangleShape& shape,

@@ -8,28 +8,10 @@
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
-#include "num/lanes.hpp"
+#include "make/fit/first_look.hpp"
 
 namespace batten::fitting {
 namespace {
-
-/// Whether no abscissa is below the one before it or NaN: at the speed of reading.
-BATTEN_CLONES bool is_rising(std::span<const double> x) {
-    const double* const at = x.data();
-    long long falls = 0;
-    for (std::size_t i = 1; i < x.size(); ++i) falls += !(at[i] >= at[i - 1]);
-    return falls == 0;
-}
-
-/// Whether all lie in [lo, hi].
-BATTEN_CLONES bool are_within(std::span<const double> column, Interval range) {
-    const double* const at = column.data();
-    long long outside = 0;
-    for (std::size_t i = 0; i < column.size(); ++i) {
-        outside += !((at[i] >= range.lo) & (at[i] <= range.hi));
-    }
-    return outside == 0;
-}
 
 void require_finite(std::span<const double> column, const char* name) {
     for (std::size_t i = 0; i < column.size(); ++i) {
@@ -94,51 +76,28 @@ void sort_and_drop(Samples& samples) {
     samples.row_of = std::move(order);
 }
 
-/// What one reading of the data tells.
-struct FirstLook {
-    bool falls = false;   ///< x, somewhere
-    double largest = 0;   ///< |y|
-};
-
-/// The largest absolute value; infinite where one is NaN or Inf.
-BATTEN_CLONES double largest_of_column(std::span<const double> column) {
-    num::Lanes largest = {};
-    num::LaneMask finite = {};
-    const std::size_t whole = column.size() / num::lanes * num::lanes;
-    for (std::size_t i = 0; i < whole; i += num::lanes) {
-        num::Lanes v;
-        num::load(column.data() + i, v);
-        const num::Lanes size = v < 0 ? -v : v;
-        largest = size > largest ? size : largest;
-        finite -= size <= std::numeric_limits<double>::max();
-    }
-    double result = num::largest_of(largest);
-    bool are_finite = num::sum_of(finite) == static_cast<long long>(whole);
-    for (std::size_t i = whole; i < column.size(); ++i) {
-        are_finite &= std::isfinite(column[i]);
-        result = std::max(result, std::fabs(column[i]));
-    }
-    return are_finite ? result : std::numeric_limits<double>::infinity();
-}
-
-/// Checks x and y. Where x does not fall, it is finite if its ends are.
-FirstLook checked(std::span<const double> x, std::span<const double> y) {
-    if (x.empty()) return {};
-    const FirstLook look{!is_rising(x), largest_of_column(y)};
+/// Checks x and y, and looks at the errors. Where x does not fall, it is finite if its ends are.
+FirstLook checked(const FitSamples& given) {
+    FirstLook look;
+    const std::span<const double> x = given.x, y = given.y;
+    if (x.empty()) return look;
+    Samples plain;
+    plain.x = x;
+    plain.sides = {y};
+    plain.sigma = given.sigma;
+    look_at(plain, {0, x.size()}, look);
     const bool is_suspect = look.falls || !std::isfinite(x.front()) || !std::isfinite(x.back());
     if (is_suspect) require_finite(x, "x");
     if (!std::isfinite(look.largest)) require_finite(y, "y");
     return look;
 }
 
-constexpr Interval usable_errors{std::numeric_limits<double>::denorm_min(),
-                                 std::numeric_limits<double>::max()};
-
-void choose_sigma(Samples& samples, const FitSamples& given, const FitOptions& options) {
+void choose_sigma(Samples& samples, const FitSamples& given, const FirstLook& look,
+                  const FitOptions& options) {
     if (!given.sigma.empty()) {
         samples.sigma = given.sigma;
         samples.source = SigmaSource::column;
-        samples.has_weightless = !are_within(given.sigma, usable_errors);
+        samples.has_weightless = !look.sigma.are_usable;
         if (samples.has_weightless) require_sigma(given.sigma);
     } else if (options.sigma) {
         if (!(*options.sigma > 0 && std::isfinite(*options.sigma))) {
@@ -157,39 +116,58 @@ void choose_sigma(Samples& samples, const FitSamples& given, const FitOptions& o
 
 bool has_square(double size) { return size > 0x1p-480 && size < 0x1p480; }
 
-[[noreturn]] void refuse_units(const char* place, double value, const char* rule) {
-    throw Error("number.overflow", place, format_number(value), rule);
+SigmaRange range_of(double sigma) { return {sigma, sigma}; }
+
+/// What is wrong with the units, if anything is.
+struct UnitsFault {
+    const char* place;
+    double value;
+    const char* rule;
+};
+
+std::optional<UnitsFault> units_fault(const Samples& samples, SigmaRange range, double largest,
+                                      int degree) {
+    const bool is_estimated = samples.source == SigmaSource::estimated;
+    if (is_estimated && largest > 0 && !has_square(largest)) {
+        return UnitsFault{"column y", largest, "squares of y must lie within a double"};
+    }
+    for (const double sigma : {range.least, range.largest}) {
+        const bool is_usable = largest == 0 || has_square(largest / sigma);
+        if (is_estimated || (has_square(sigma) && is_usable)) continue;
+        return UnitsFault{"sigma", sigma,
+                          "squares of sigma and of y / sigma must lie within a double"};
+    }
+    const double length = samples.range.hi - samples.range.lo;
+    if (!std::isfinite(length)) {
+        return UnitsFault{"column x", length, "the range of x must lie within a double"};
+    }
+    // The spline's highest derivative is no larger than some 2^40 y / length^degree.
+    const int slopes = largest > 0 ? std::ilogb(largest) - degree * std::ilogb(length) : 0;
+    if (length < 0x1p-900 || slopes > 980) {
+        return UnitsFault{
+            "column x", length,
+            "derivatives over so short a range are beyond a double: take larger units"};
+    }
+    return std::nullopt;
 }
 
 }  // namespace
 
 void require_units(const Samples& samples, double largest, int degree) {
-    double lo = samples.common_sigma, hi = lo;
+    SigmaRange range = range_of(samples.common_sigma);
     if (!samples.sigma.empty()) {
         const auto ends = std::minmax_element(samples.sigma.begin(), samples.sigma.end());
-        lo = *ends.first;
-        hi = *ends.second;
+        range = {*ends.first, *ends.second};
     }
-    const bool is_estimated = samples.source == SigmaSource::estimated;
-    if (is_estimated && largest > 0 && !has_square(largest)) {
-        refuse_units("column y", largest, "squares of y must lie within a double");
-    }
-    for (const double sigma : {lo, hi}) {
-        const bool is_usable = largest == 0 || has_square(largest / sigma);
-        if (is_estimated || (has_square(sigma) && is_usable)) continue;
-        refuse_units("sigma", sigma,
-                     "squares of sigma and of y / sigma must lie within a double");
-    }
-    const double length = samples.range.hi - samples.range.lo;
-    if (!std::isfinite(length)) {
-        refuse_units("column x", length, "the range of x must lie within a double");
-    }
-    // The spline's highest derivative is no larger than some 2^40 y / length^degree.
-    const int slopes = largest > 0 ? std::ilogb(largest) - degree * std::ilogb(length) : 0;
-    if (length < 0x1p-900 || slopes > 980) {
-        refuse_units("column x", length,
-                     "derivatives over so short a range are beyond a double: take larger units");
-    }
+    const std::optional<UnitsFault> fault = units_fault(samples, range, largest, degree);
+    if (!fault) return;
+    throw Error("number.overflow", fault->place, format_number(fault->value), fault->rule);
+}
+
+bool has_usable_units(const Samples& samples, const FirstLook& look, int degree) {
+    const SigmaRange range =
+        samples.sigma.empty() ? range_of(samples.common_sigma) : look.sigma;
+    return !units_fault(samples, range, look.largest, degree);
 }
 
 double noise_from_differences(std::span<const double> x, std::span<const double> y) {
@@ -223,11 +201,11 @@ Samples prepared(const FitSamples& given, const FitOptions& options) {
                         std::to_string(given.sigma.size()),
                     "x, y and sigma must be equally many");
     }
-    const FirstLook look = checked(given.x, given.y);
+    const FirstLook look = checked(given);
     Samples samples;
     samples.x = given.x;
     samples.sides = {given.y};
-    choose_sigma(samples, given, options);
+    choose_sigma(samples, given, look, options);
     if (given.x.empty()) throw Error("fit.too-few", "samples", "0", "there must be samples");
     if (look.falls || samples.has_weightless) {
         const auto [lo, hi] = std::minmax_element(given.x.begin(), given.x.end());
@@ -244,6 +222,27 @@ Samples prepared(const FitSamples& given, const FitOptions& options) {
     if (!samples.sigma_known) {
         estimate_sigma(samples, noise_from_differences(samples.x, samples.sides[0]), look.largest);
     }
+    samples.work = Work(options.progress);
+    return samples;
+}
+
+std::optional<Samples> believed(const FitSamples& given, const FitOptions& options) {
+    const std::size_t n = given.x.size();
+    const bool has_column = !given.sigma.empty();
+    if (n == 0 || given.y.size() != n || (has_column && given.sigma.size() != n)) return {};
+    const bool has_number = options.sigma && *options.sigma > 0 && std::isfinite(*options.sigma);
+    if (!has_column && !has_number) return {};
+    Samples samples;
+    samples.x = given.x;
+    samples.sides = {given.y};
+    samples.sigma = given.sigma;
+    if (!has_column) samples.common_sigma = *options.sigma;
+    samples.source = has_column ? SigmaSource::column : SigmaSource::number;
+    samples.sigma_known = true;
+    samples.range = {given.x.front(), given.x.back()};
+    const bool is_range = samples.range.lo < samples.range.hi && std::isfinite(samples.range.lo) &&
+                          std::isfinite(samples.range.hi);
+    if (!is_range) return {};
     samples.work = Work(options.progress);
     return samples;
 }
@@ -268,12 +267,28 @@ Samples reweighted(const Samples& samples, std::span<const double> factor) {
 
 namespace {
 
-/// The first of the abscissae that is not below `bound`, sought near the first of all.
+/// The first of the abscissae that is not below a bound, sought from `near` on: few of them are
+/// looked at, and they lie close together.
 template <class Below>
-const double* first_not(const double* from, const double* to, Below below) {
-    std::ptrdiff_t step = 64;
-    for (; to - from > step && below(from[step]); step *= 2) from += step;
-    return std::partition_point(from, from + std::min(step, to - from), below);
+const double* first_not(const double* from, const double* near, const double* to, Below below) {
+    std::ptrdiff_t step = 16;
+    const double *lo = from, *hi = to;
+    if (near < to && !below(*near)) {
+        hi = near;
+        while (hi - from > step && !below(hi[-step])) {
+            hi -= step;
+            step *= 2;
+        }
+        lo = hi - std::min(step, hi - from);
+    } else {
+        lo = near;
+        while (to - lo > step && below(lo[step])) {
+            lo += step;
+            step *= 2;
+        }
+        hi = lo + std::min(step, to - lo);
+    }
+    return std::partition_point(lo, hi, below);
 }
 
 }  // namespace
@@ -282,11 +297,17 @@ Rows rows_in(const Samples& samples, Rows within, Interval span, RightEnd end) {
     const double* const begin = samples.x.data();
     const double* const to = begin + within.last;
     const auto is_before = [](double bound) { return [bound](double x) { return x < bound; }; };
-    const double* const first = first_not(begin + within.first, to, is_before(span.lo));
+    const double* const from = begin + within.first;
+    const double* const first = first_not(from, from, to, is_before(span.lo));
+    // As many as there would be if they were evenly spread.
+    const double whole = samples.range.length();
+    const double share = whole > 0 ? std::clamp(span.length() / whole, 0.0, 1.0) : 0;
+    const double count = share * static_cast<double>(samples.size());
+    const double* const near = first + std::min(static_cast<std::ptrdiff_t>(count), to - first);
     const double* const last =
         end == RightEnd::closed
-            ? first_not(first, to, [hi = span.hi](double x) { return x <= hi; })
-            : first_not(first, to, is_before(span.hi));
+            ? first_not(first, near, to, [hi = span.hi](double x) { return x <= hi; })
+            : first_not(first, near, to, is_before(span.hi));
     return {static_cast<std::size_t>(first - begin), static_cast<std::size_t>(last - begin)};
 }
 

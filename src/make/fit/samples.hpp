@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -53,6 +54,11 @@ struct Samples {
 /// Throws `fit.lengths`, `points.not-finite`, `fit.sigma`, `fit.too-few`, `fit.x-equal`, and what
 /// require_units throws.
 Samples prepared(const FitSamples& given, const FitOptions& options);
+
+/// The samples as they are, believed to be in order: for a caller who looks while reading them (see
+/// FirstLook). Nothing where that is out of the question, or where the range or a sigma to be
+/// taken for all is amiss; then prepared() tells.
+std::optional<Samples> believed(const FitSamples& given, const FitOptions& options);
 
 /// Throws `number.overflow` where squares of y / sigma, or derivatives, would be beyond a double:
 /// then units are to be changed. `largest`: of all |y|.
