@@ -124,4 +124,23 @@ void BandedQr::solve_for(std::span<const double> z, std::span<double> out) const
     }
 }
 
+std::vector<double> BandedQr::inverse_band(int reach) const {
+    const int width = shape_.width, n = shape_.columns;
+    std::vector<double> z(static_cast<std::size_t>(n * reach), 0.0);
+    const auto at = [&](int i, int j) -> double& {
+        return z[static_cast<std::size_t>(std::min(i, j) * reach + std::abs(i - j))];
+    };
+    for (int j = n; j-- > 0;) {
+        const double* const r = row(j);
+        if (r[0] == 0) continue;
+        const int last = std::min(n - 1, j + width - 1);
+        for (int i = std::min(n - 1, j + reach - 1); i >= j; --i) {
+            double sum = i == j ? 1 / r[0] : 0;
+            for (int l = j + 1; l <= last; ++l) sum -= r[l - j] * at(l, i);
+            at(j, i) = sum / r[0];
+        }
+    }
+    return z;
+}
+
 }  // namespace batten::num

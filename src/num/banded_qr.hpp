@@ -56,6 +56,13 @@ public:
     /// The same for a right-hand side of the triangle itself: R out = z.
     void solve_for(std::span<const double> z, std::span<double> out) const;
 
+    /// The entries of (R^T R)^-1 up to `reach` columns right of the diagonal and itself, row after
+    /// row; `reach` at least the band's width. No border. Rows with a zero pivot are 0.
+    ///
+    /// Cost: O(columns width reach). Source: R Z = R^-T, whose upper part is known
+    /// [HutchinsonDeHoog1985].
+    std::vector<double> inverse_band(int reach) const;
+
 private:
     std::size_t offset(int j) const {
         return static_cast<std::size_t>(j) * static_cast<std::size_t>(shape_.row_width());

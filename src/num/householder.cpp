@@ -41,9 +41,45 @@ void reflect(const Triangle& into, const RowBlock& block, int c, int rows) {
     }
 }
 
+/// The same for sizes that are known beforehand: the loops unroll, the sums stay in order.
+template <int Rows, int Width>
+void reflect_fixed(const Triangle& into, const RowBlock& block, int c) {
+    double* const top = into.data + static_cast<std::size_t>(c) * into.stride;
+    double* row[Rows];
+    double below_sq = 0;
+    for (int i = 0; i < Rows; ++i) {
+        row[i] = block.data + static_cast<std::size_t>(i) * block.stride;
+        below_sq += row[i][c] * row[i][c];
+    }
+    if (below_sq == 0) return;
+    const double alpha = top[c];
+    const double beta = alpha > 0 ? -std::sqrt(alpha * alpha + below_sq)
+                                  : std::sqrt(alpha * alpha + below_sq);
+    const double head = alpha - beta;
+    const double factor = 2 / (head * head + below_sq);
+    top[c] = beta;
+    for (int j = c + 1; j < Width; ++j) {
+        double sum = head * top[j];
+        for (int i = 0; i < Rows; ++i) sum += row[i][c] * row[i][j];
+        sum *= factor;
+        top[j] -= sum * head;
+        for (int i = 0; i < Rows; ++i) row[i][j] -= sum * row[i][c];
+    }
+}
+
+/// Four rows of a cubic spline and one side: what fits are made of.
+void absorb_cubic(const Triangle& into, const RowBlock& block) {
+    reflect_fixed<4, 5>(into, block, 0);
+    reflect_fixed<4, 5>(into, block, 1);
+    reflect_fixed<4, 5>(into, block, 2);
+    reflect_fixed<4, 5>(into, block, 3);
+}
+
 }  // namespace
 
 void absorb(const Triangle& into, const RowBlock& block, BlockShape shape) {
+    const bool is_cubic = into.columns == 4 && into.width == 5 && block.rows == 4;
+    if (is_cubic && shape == BlockShape::full) return absorb_cubic(into, block);
     for (int c = 0; c < into.columns; ++c) {
         const int rows =
             shape == BlockShape::triangular ? std::min(block.rows, c + 1) : block.rows;

@@ -289,5 +289,27 @@ TEST(FitChunkRefuses, WhatDoesNotBelongToIt) {
     EXPECT_EQ(code([&] { chunk.add(table.view()); }), "fit.outside");
 }
 
+/// Many samples over fixed knots are looked at while they are summed.
+TEST(FitRefuses, TheSameInManySamples) {
+    const FitTable many = testing::noisy_curve(6000, 1, 1);
+    const FitOptions options = given({20, 40, 60, 80});
+    for (const double bad : {nan, inf, -inf}) {
+        FitTable table = many;
+        table.x[4321] = bad;
+        EXPECT_EQ(refusal(table, options), "points.not-finite row 4321, column x") << bad;
+        table = many;
+        table.y[5999] = bad;
+        EXPECT_EQ(refusal(table, options), "points.not-finite row 5999, column y") << bad;
+    }
+    for (const double bad : {nan, 0.0, -1.0}) {
+        FitTable table = many;
+        table.sigma[77] = bad;
+        EXPECT_EQ(refusal(table, options), "fit.sigma row 77, column sigma") << bad;
+    }
+    FitTable table = many;
+    for (double& y : table.y) y *= 1e200;
+    EXPECT_EQ(refusal(table, options), "number.overflow sigma");
+}
+
 }  // namespace fit_bad_test
 }  // namespace batten

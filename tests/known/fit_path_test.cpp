@@ -100,5 +100,40 @@ TEST(FitByInsertion, FollowsTheTitaniumPath) {
     EXPECT_EQ(whole.report.breaks, history.back()["knots"].get<std::vector<double>>());
 }
 
+TEST(FitToADelta2, KeepsNoKnotThatCouldGo) {
+    for (const std::size_t count : {201, 3000}) {
+        const testing::FitTable table = testing::noisy_curve(count, 1.5, 6);
+        FitOptions options;
+        options.delta2 = static_cast<double>(count);
+        const FitReport report = fit(table.view(), options).report;
+        EXPECT_LE(report.delta2, *options.delta2);
+        EXPECT_EQ(report.path.back().intervals, report.intervals);
+        for (int i = 1; i < report.intervals; ++i) {
+            FitOptions without;
+            without.knots = KnotPlacement::given;
+            without.knots_values = report.breaks;
+            without.knots_values.erase(without.knots_values.begin() + i);
+            EXPECT_GT(fit(table.view(), without).report.delta2, *options.delta2) << i;
+        }
+    }
+}
+
+TEST(FitOverFixedKnots, IsThatOfSortedSamplesAndLeavesOutWhatHasNoWeight) {
+    testing::FitTable table = testing::noisy_curve(5000, 1.5, 8);
+    FitOptions options;
+    options.knots = KnotPlacement::equal;
+    options.intervals = 20;
+    const FitReport sorted = fit(table.view(), options).report;
+    for (auto* column : {&table.x, &table.y, &table.sigma}) {
+        std::reverse(column->begin() + 1000, column->begin() + 3000);
+    }
+    EXPECT_EQ(fit(table.view(), options).report.coefficients, sorted.coefficients);
+    table.y[4000] = 1e9;
+    table.sigma[4000] = std::numeric_limits<double>::infinity();
+    const FitReport one_less = fit(table.view(), options).report;
+    EXPECT_EQ(one_less.samples, 4999u);
+    EXPECT_NEAR(one_less.delta2, sorted.delta2, 30);
+}
+
 }  // namespace fit_path_test
 }  // namespace batten

@@ -7,31 +7,6 @@
 #include "num/gauss.hpp"
 
 namespace batten::fitting {
-namespace {
-
-/// The inverse of R^T R inside the band of R, last row first.
-/// Source: R Z = R^-T, whose upper part is known [HutchinsonDeHoog1985].
-std::vector<double> inverse_band(const num::BandedQr& qr) {
-    const int width = qr.shape().width, n = qr.shape().columns;
-    std::vector<double> z(static_cast<std::size_t>(n * width), 0.0);
-    const auto at = [&](int i, int j) -> double& {
-        return z[static_cast<std::size_t>(std::min(i, j) * width + std::abs(i - j))];
-    };
-    for (int j = n; j-- > 0;) {
-        const double* const r = qr.row(j);
-        if (r[0] == 0) continue;
-        const int last = std::min(n - 1, j + width - 1);
-        for (int i = last; i >= j; --i) {
-            double sum = i == j ? 1 / r[0] : 0;
-            for (int l = j + 1; l <= last; ++l) sum -= r[l - j] * at(l, i);
-            at(j, i) = sum / r[0];
-        }
-    }
-    return z;
-}
-
-}  // namespace
-
 CoefficientLaw::CoefficientLaw(SplineFunction spline, KnotSystem system, int functions,
                                const std::vector<std::vector<double>>& held)
     : spline_(std::move(spline)), system_(std::move(system)), functions_(functions) {
@@ -45,7 +20,7 @@ CoefficientLaw::CoefficientLaw(SplineFunction spline, KnotSystem system, int fun
         for (double& x : v) x /= std::sqrt(sum);
         known_.push_back(std::move(v));
     }
-    if (system_.ends() == Ends::open && known_.empty()) band_ = inverse_band(system_.qr());
+    if (system_.ends() == Ends::open && known_.empty()) band_ = system_.qr().inverse_band(system_.qr().shape().width);
 }
 
 std::vector<double> CoefficientLaw::without_known(std::vector<double> v) const {

@@ -212,13 +212,63 @@ double Growth::split(int index) {
     blocks_.insert(blocks_.begin() + static_cast<std::ptrdiff_t>(i * block), block, 0.0);
     maps_.insert(maps_.begin() + static_cast<std::ptrdiff_t>(i * map_size()), map_size(), 0.0);
     is_stale_.insert(is_stale_.begin() + index, 1);
-    const std::size_t reach = static_cast<std::size_t>(system_.order());
+    age_blocks(i, 2);
+    return middle;
+}
+
+/// The B-splines of `count` intervals from i on have changed, and those of degree - 1 around.
+void Growth::age_blocks(std::size_t i, std::size_t count) {
+    const std::size_t reach = static_cast<std::size_t>(system_.order()) - 1;
     const bool is_open = ends() == Ends::open;
     const std::size_t first = is_open && i > reach ? i - reach : 0;
-    const std::size_t last = is_open ? std::min(pieces_.size(), i + 2 + reach) : pieces_.size();
+    const std::size_t last = is_open ? std::min(pieces_.size(), i + count + reach) : pieces_.size();
     std::fill(is_stale_.begin() + static_cast<std::ptrdiff_t>(first),
               is_stale_.begin() + static_cast<std::ptrdiff_t>(last), 1);
-    return middle;
+}
+
+std::vector<double> Growth::losses() const {
+    // One equation each, that the highest derivative does not jump [LawsonHanson1974, chapter 20].
+    const int k = system_.order(), reach = k + 1;
+    const std::vector<double> inverse = system_.qr().inverse_band(reach);
+    const double* const c = system_.coefficients(0).data();
+    double a[num::most_order + 1], before[num::most_order], after[num::most_order];
+    std::vector<double> result;
+    for (int i = 1; i < intervals(); ++i) {
+        const std::size_t span = static_cast<std::size_t>(i + k - 1);
+        num::basis_derivatives(knots_, span - 1, k, knots_[span], k - 1, before);
+        num::basis_derivatives(knots_, span, k, knots_[span], k - 1, after);
+        for (int j = 0; j <= k; ++j) a[j] = (j > 0 ? after[j - 1] : 0) - (j < k ? before[j] : 0);
+        double jump = 0, norm_sq = 0;
+        for (int j = 0; j <= k; ++j) {
+            const double* const row = inverse.data() + (i - 1 + j) * reach;
+            jump += a[j] * c[i - 1 + j];
+            norm_sq += a[j] * a[j] * row[0];
+            for (int l = j + 1; l <= k; ++l) norm_sq += 2 * a[j] * a[l] * row[l - j];
+        }
+        result.push_back(jump * jump / norm_sq);
+    }
+    return result;
+}
+
+void Growth::join(int index) {
+    const std::size_t i = static_cast<std::size_t>(index), size = reducer_->shape().size();
+    const Piece left = pieces_[i - 1], right = pieces_[i];
+    const Interval whole{left.span.lo, right.span.hi};
+    std::vector<double> merged(size, 0.0);
+    reducer_->merge(triangle(i - 1), left.span, whole, merged.data());
+    reducer_->merge(triangle(i), right.span, whole, merged.data());
+    pieces_[i - 1] = {whole, {left.rows.first, right.rows.last}, -1};
+    std::copy(merged.begin(), merged.end(), triangle(i - 1));
+    const auto take_out = [i](auto& values, std::size_t count) {
+        const auto from = values.begin() + static_cast<std::ptrdiff_t>(i * count);
+        values.erase(from, from + static_cast<std::ptrdiff_t>(count));
+    };
+    take_out(pieces_, 1);
+    take_out(triangles_, size);
+    take_out(blocks_, system_.block_size());
+    take_out(maps_, map_size());
+    take_out(is_stale_, 1);
+    age_blocks(i - 1, 1);
 }
 
 std::vector<double> equal_breaks(Interval domain, std::size_t n) {

@@ -38,6 +38,8 @@ public:
     const KnotSystem& system() const { return system_; }
     /// Weighted squared residuals of interval i.
     double part_sum(int i) const { return part_sums_[static_cast<std::size_t>(i)]; }
+    /// Samples in interval i.
+    std::size_t rows(int i) const { return pieces_[static_cast<std::size_t>(i)].rows.count(); }
     /// True residuals e = y - S of all samples, in data units, side 0, in rising x.
     void residuals(std::span<double> out) const;
 
@@ -51,6 +53,12 @@ public:
     /// Puts a knot in the middle of interval i; refit() is to follow. Returns the knot.
     double split(int i);
 
+    /// How much delta2 would rise if the knot at the left end of one of the intervals 1 ... were
+    /// not there: exactly (to rounding). Open splines of one side; after refit().
+    std::vector<double> losses() const;
+    /// Takes that knot out; refit() is to follow.
+    void join(int i);
+
 private:
     struct Piece {
         Interval span;
@@ -58,6 +66,7 @@ private:
         int node = -1;  ///< of the tree, if it is one
     };
     void index_knots();
+    void age_blocks(std::size_t i, std::size_t count);
     void make_triangle(std::size_t i);
     void make_stale_blocks();
     std::size_t map_size() const {

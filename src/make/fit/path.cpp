@@ -14,7 +14,6 @@ constexpr int least_reach = 45;   // intervals, see docs/fitting.md
 /// is too sure of the knots (76 to 96 %), Akaike's 2 sometimes too unsure (94 to 98 %).
 constexpr double charge = 2.25;
 constexpr double least_weight = 0.01;  // of the best alternative's: less is left out
-constexpr double far_from_target = 2;
 constexpr double tie = 1e-9;      // relative difference of two criteria that is none
 
 SplineFunction spline_of(const Growth& growth) {
@@ -239,13 +238,82 @@ double robust_refit(Growth& growth, const Samples& samples, Robust robust,
     return robust_loss(robust, samples, residuals_of(growth, samples));
 }
 
+namespace {
+
+/// How many of the worst intervals to halve next: as many as hold what is to go beyond a target for
+/// delta2, each less its share of the target, but no more than half of all.
+int splits_wanted(const Growth& growth, double target) {
+    const double excess = growth.delta2() - target;
+    if (!(target > 0 && excess > 0)) return 1;
+    const double share = target / static_cast<double>(growth.samples().size());
+    std::vector<double> excesses;
+    for (int i = 0; i < growth.intervals(); ++i) {
+        excesses.push_back(growth.part_sum(i) - share * static_cast<double>(growth.rows(i)));
+    }
+    std::sort(excesses.begin(), excesses.end(), std::greater<>());
+    int count = 1;
+    for (double sum = excesses[0]; sum < excess && count < 1 + growth.intervals() / 2; ++count) {
+        sum += excesses[static_cast<std::size_t>(count)];
+    }
+    return count;
+}
+
+enum class Spare { one, many };
+
+/// The knots to take out at once, from the right: that which is missed least, and others far from
+/// it and each other, as long as together they are missed by less than is allowed.
+std::vector<int> spare_knots(const Growth& growth, double allowed, Spare most) {
+    const std::vector<double> losses = growth.losses();
+    std::vector<int> order, taken;
+    for (int i = 1; i < growth.intervals(); ++i) {
+        if (losses[static_cast<std::size_t>(i - 1)] < allowed) order.push_back(i);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+        return losses[static_cast<std::size_t>(a - 1)] < losses[static_cast<std::size_t>(b - 1)];
+    });
+    double sum = 0;
+    for (const int i : order) {
+        if (most == Spare::one && !taken.empty()) break;
+        const bool is_far = std::all_of(taken.begin(), taken.end(), [&](int other) {
+            return std::abs(other - i) > growth.system().order();
+        });
+        if (!is_far) continue;
+        sum += losses[static_cast<std::size_t>(i - 1)];
+        if (!(sum < allowed)) break;
+        taken.push_back(i);
+    }
+    std::sort(taken.begin(), taken.end(), std::greater<>());
+    return taken;
+}
+
+/// Takes out knots as long as a target for delta2 is kept. Whether there was one.
+bool take_out_spare(Growth& growth, double target) {
+    bool is_changed = false;
+    for (Spare most = Spare::many;;) {
+        const std::vector<int> spare = spare_knots(growth, target - growth.delta2(), most);
+        if (spare.empty()) return is_changed;
+        const std::vector<double> before = growth.breaks();
+        for (const int i : spare) growth.join(i);
+        growth.refit();
+        if (growth.delta2() <= target) {
+            is_changed = true;
+            continue;
+        }
+        // What one is missed by is exact but for rounding; of several it is nearly the sum.
+        growth.restart(before);
+        growth.refit();
+        if (most == Spare::one) return is_changed;
+        most = Spare::one;
+    }
+}
+
+}  // namespace
+
 Path insert_one_by_one(Growth& growth, const Samples& samples, Robust robust,
                        const StopPlan& plan) {
     Search search(growth, samples, robust, plan);
     while (search.step_wants_more()) {
-        // Far from a target for delta2 many knots at a time; the last ones one by one.
-        const bool is_far = plan.delta2 > 0 && growth.delta2() > far_from_target * plan.delta2;
-        std::vector<int> worst = growth.worst(is_far ? 1 + growth.intervals() / 4 : 1);
+        std::vector<int> worst = growth.worst(splits_wanted(growth, plan.delta2));
         if (worst.empty()) break;
         // From the right, so that no index moves; a split may take what another one needs.
         std::sort(worst.begin(), worst.end(), std::greater<>());
@@ -253,6 +321,9 @@ Path insert_one_by_one(Growth& growth, const Samples& samples, Robust robust,
             if (worst.size() == 1 || growth.can_split(i)) growth.split(i);
         }
     }
+    const bool may_spare = plan.delta2 > 0 && robust == Robust::none &&
+                           growth.ends() == Ends::open && samples.sides.size() == 1;
+    if (may_spare && take_out_spare(growth, plan.delta2)) search.step_wants_more();
     return search.finish();
 }
 

@@ -67,7 +67,7 @@ Reducer::Reducer(const Samples& samples, const LocalBasis& basis)
 void Reducer::reduce(Rows rows, Interval span, Rest rest, double* out) const {
     const LocalScale scale(span);
     const bool has_kernel = shape_.order <= most_moment_order && shape_.sides == 1;
-    const bool is_many = rows.count() >= static_cast<std::size_t>(4 * shape_.order);
+    const bool is_many = rows.count() >= static_cast<std::size_t>(2 * shape_.order);
     if (has_kernel && is_many && reduce_by_moments(rows, scale, rest, out)) return;
     reduce_by_reflections(rows, scale, out);
 }
