@@ -31,6 +31,8 @@ public:
     double spread() const;
     /// (A^T A)^-1 on the first index of a functions() x width matrix.
     void invert_rows(std::span<double> matrix, std::size_t width) const;
+    /// The same on the second index of a matrix with functions() columns.
+    void invert_columns(std::span<double> matrix) const;
     /// R^-T on the first index: half of it.
     void forward_rows(std::span<double> matrix, std::size_t width) const;
 
