@@ -147,6 +147,23 @@ double Axis::spread() const {
     return smallest > 0 ? largest / smallest : std::numeric_limits<double>::infinity();
 }
 
+std::vector<double> Axis::times_triangle(std::span<const double> c) const {
+    std::vector<double> result(functions(), 0.0);
+    for (std::size_t j = 0; j < result.size(); ++j) {
+        const double* const r = triangle_.row(static_cast<int>(j));
+        const std::size_t reach =
+            std::min(static_cast<std::size_t>(triangle_.shape().width), result.size() - j);
+        for (std::size_t l = 0; l < reach; ++l) result[j] += r[l] * c[j + l];
+    }
+    return result;
+}
+
+std::vector<double> Axis::solved(std::span<const double> c) const {
+    std::vector<double> result(functions());
+    triangle_.solve_for(c, result);
+    return result;
+}
+
 void Axis::forward_rows(std::span<double> matrix, std::size_t width) const {
     const int n = static_cast<int>(functions()), band = triangle_.shape().width;
     std::vector<double> factors(static_cast<std::size_t>(band));

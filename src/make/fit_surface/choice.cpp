@@ -76,9 +76,10 @@ public:
         const int degree = lattice_.degree();
         SurfaceChoice choice{clamped_knots(x_breaks_[chosen], degree),
                              clamped_knots(y_breaks_[chosen], degree), {}, {}, 0, is_met_};
-        if (chosen + 1 == steps_.size() && lattice_.is_final()) {
-            choice.solution = lattice_.solution();
-            choice.misfit = lattice_.misfit();
+        if (std::optional<Lattice::Fit> fit =
+                lattice_.known_fit(x_breaks_[chosen], y_breaks_[chosen])) {
+            choice.solution = std::move(fit->solution);
+            choice.misfit = std::move(fit->misfit);
         }
         choice.path = std::move(steps_);
         return choice;
@@ -128,9 +129,9 @@ private:
 };
 
 SurfaceChoice insert_lines(Lattice& lattice, const Target& target) {
-    if (target.rule != StopRule::distribution || target.exactly[0] > 0 || target.delta2 > 0) {
-        lattice.compress();
-    }
+    const bool counts = target.rule == StopRule::distribution && target.exactly[0] == 0 &&
+                        target.delta2 == 0;
+    lattice.expect_splits(counts ? Lattice::Residuals::each : Lattice::Residuals::sums);
     LineSearch search(lattice, target);
     while (search.step_wants_more()) {
         const std::optional<Lattice::Strip> strip = lattice.worst(target.exactly);
