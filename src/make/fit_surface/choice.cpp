@@ -78,6 +78,8 @@ public:
                              clamped_knots(y_breaks_[chosen], degree), {}, {}, 0, is_met_};
         if (std::optional<Lattice::Fit> fit =
                 lattice_.known_fit(x_breaks_[chosen], y_breaks_[chosen])) {
+            choice.x = std::move(fit->x);
+            choice.y = std::move(fit->y);
             choice.solution = std::move(fit->solution);
             choice.misfit = std::move(fit->misfit);
         }
@@ -243,6 +245,8 @@ SurfaceChoice moved_where_free(const Nodes& nodes, const FitSurfaceOptions& opti
     MovedLines moved = move_lines(nodes, std::move(choice.x_knots), std::move(choice.y_knots),
                                   options.degree);
     choice.solution.reset();
+    choice.x.reset();
+    choice.y.reset();
     choice.x_knots = std::move(moved.x_knots);
     choice.y_knots = std::move(moved.y_knots);
     choice.moved = moved.moved;

@@ -50,16 +50,29 @@ struct Inclusion {
 };
 
 /// The coefficients of coarse spline i for the fine ones.
+/// Source: [CohenLycheRiesenfeld1980, algorithm 1].
 std::vector<double> refined(const BSplineBasis& coarse, std::size_t i, const BSplineBasis& fine) {
-    std::vector<double> more;
-    std::set_difference(fine.breaks().begin(), fine.breaks().end(), coarse.breaks().begin(),
-                        coarse.breaks().end(), std::back_inserter(more));
-    std::vector<double> unit(coarse.size(), 0.0);
-    unit[i] = 1;
-    const SplineFunction one({coarse.knots().begin(), coarse.knots().end()}, unit,
-                             coarse.degree());
-    const SplineFunction same = more.empty() ? one : insert_knots(one, more);
-    return {same.coefficients().begin(), same.coefficients().end()};
+    const std::span<const double> t = coarse.knots(), u = fine.knots();
+    const std::size_t order = static_cast<std::size_t>(coarse.degree()) + 1;
+    std::vector<double> result(fine.size(), 0.0), a(order);
+    for (std::size_t j = 0; j < fine.size(); ++j) {
+        if (u[j] < t[i] || u[j + order] > t[i + order]) continue;
+        for (std::size_t l = 0; l < order; ++l) {
+            a[l] = t[i + l] <= u[j] && u[j] < t[i + l + 1] ? 1 : 0;
+        }
+        const auto share = [&](std::size_t first, std::size_t k) {
+            const double width = t[first + k] - t[first];
+            return width > 0 ? (u[j + k] - t[first]) / width : 0;
+        };
+        for (std::size_t k = 1; k < order; ++k) {
+            for (std::size_t l = 0; l + k < order; ++l) {
+                const double right = t[i + l + 1 + k] > t[i + l + 1] ? 1 - share(i + l + 1, k) : 0;
+                a[l] = share(i + l, k) * a[l] + right * a[l + 1];
+            }
+        }
+        result[j] = a[0];
+    }
+    return result;
 }
 
 Inclusion inclusion_of(const BSplineBasis& coarse, const BSplineBasis& fine) {
@@ -203,13 +216,13 @@ SearchSpace::Image Compressed::image(Way way, std::span<const double> function) 
     return result;
 }
 
-std::optional<Solution> Compressed::solution(const Axis& x, const Axis& y) const {
+Solution Compressed::solution(const Axis& x, const Axis& y) const {
     const Inclusion in_x = inclusion_of(x.basis(), x_.basis());
     const Inclusion in_y = inclusion_of(y.basis(), y_.basis());
     const std::size_t p = x.functions(), q = y.functions();
     const std::vector<double> half = in_y.reduced(products_);  // fine x by coarse y
     const std::vector<double> g = in_x.reduced(transposed(half, x_.functions(), q));  // q x p
-    return Solution{inverted(transposed(g, q, p), x, y)};
+    return {inverted(transposed(g, q, p), x, y)};
 }
 
 }  // namespace batten::surface_fitting

@@ -33,7 +33,7 @@ public:
     bool has_break(Way way, double t) const override;
     double least_delta2() const override { return least_delta2_; }
     bool is_of_nodes() const override { return false; }
-    std::optional<Solution> solution(const Axis& x, const Axis& y) const override;
+    Solution solution(const Axis& x, const Axis& y) const override;
 
 private:
     Compressed(const Nodes& nodes, Axis x, Axis y);

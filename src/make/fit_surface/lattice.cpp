@@ -12,6 +12,7 @@ namespace batten::surface_fitting {
 namespace {
 
 constexpr std::size_t worth_compressing = 50000;  // nodes
+constexpr int usual_strips = 32;  // of the finest; where halving goes on, twice as many
 
 std::vector<double> equal_strips(Interval range, int strips) {
     return even_places(range, static_cast<std::size_t>(strips) + 1);
@@ -60,7 +61,7 @@ void Lattice::refit() {
         misfit_ = std::move(fit.misfit);
         return;
     }
-    if (nested_ && nested_->go_to(x_breaks_, y_breaks_)) {
+    if (nested_ && (nested_->go_to(x_breaks_, y_breaks_) || go_to_finer_strips())) {
         misfit_ = nested_->misfit();
     } else {
         nested_.reset();
@@ -80,11 +81,22 @@ void Lattice::expect_splits(Residuals residuals) {
     if (nodes_->z.size() < worth_compressing) {
         space_ = std::make_unique<NodeSpace>(*nodes_);
     } else if (residuals == Residuals::sums && rule_ == StripRule::projected && degree_ > 0) {
-        for (int strips = 64; strips >= 8 && !space_; strips /= 2) {
-            space_ = Compressed::of(*nodes_, degree_, strips);
+        for (finest_strips_ = usual_strips; finest_strips_ >= 8; finest_strips_ /= 2) {
+            space_ = Compressed::of(*nodes_, degree_, finest_strips_);
+            if (space_) break;
         }
     }
     if (space_) nested_ = Nested::over(*space_, degree_, rule_);
+}
+
+bool Lattice::go_to_finer_strips() {
+    if (space_->is_of_nodes()) return false;
+    finest_strips_ *= 2;
+    std::unique_ptr<SearchSpace> finer = Compressed::of(*nodes_, degree_, finest_strips_);
+    if (!finer) return false;
+    nested_ = Nested::over(*finer, degree_, rule_);
+    space_ = std::move(finer);
+    return nested_ && nested_->go_to(x_breaks_, y_breaks_);
 }
 
 std::optional<Lattice::Fit> Lattice::known_fit(const std::vector<double>& x_breaks,
@@ -92,18 +104,18 @@ std::optional<Lattice::Fit> Lattice::known_fit(const std::vector<double>& x_brea
     if (cloud_) return std::nullopt;
     if (solution_ && x_breaks == x_breaks_ && y_breaks == y_breaks_) {
         if (!is_harmless(*x_, *y_)) return std::nullopt;
-        return Fit{*solution_, misfit_};
+        return Fit{*x_, *y_, *solution_, misfit_};
     }
     const auto has_all = [&](const std::vector<double>& breaks, Way way) {
         return std::all_of(breaks.begin(), breaks.end(),
                            [&](double t) { return space_->has_break(way, t); });
     };
     if (!space_ || !has_all(x_breaks, Way::x) || !has_all(y_breaks, Way::y)) return std::nullopt;
-    const Axis x = axis_over(x_breaks, Way::x), y = axis_over(y_breaks, Way::y);
-    std::optional<Solution> solution;
-    if (is_harmless(x, y)) solution = space_->solution(x, y);
-    if (!solution) return std::nullopt;
-    Fit fit{std::move(*solution), {}};
+    if (space_->is_of_nodes()) return std::nullopt;
+    Axis x = axis_over(x_breaks, Way::x), y = axis_over(y_breaks, Way::y);
+    if (!is_harmless(x, y)) return std::nullopt;
+    Solution solution = space_->solution(x, y);
+    Fit fit{std::move(x), std::move(y), std::move(solution), {}};
     fit.misfit.psi_is_missing = true;
     return fit;
 }

@@ -34,6 +34,7 @@ public:
     void expect_splits(Residuals residuals);
     /// What a fit of its own would give for lines of one of the refits, where it is known.
     struct Fit {
+        Axis x, y;
         Solution solution;
         Misfit misfit;
     };
@@ -57,6 +58,7 @@ public:
 
 private:
     void require_finite_misfit() const;
+    bool go_to_finer_strips();
     bool can_split(Strip strip) const;
     Axis axis_over(const std::vector<double>& breaks, Way way) const;
     void set(std::vector<double> x_breaks, std::vector<double> y_breaks);
@@ -71,6 +73,7 @@ private:
     std::optional<Solution> solution_;  ///< of the present lines, unless nested
     Misfit misfit_;
     std::unique_ptr<SearchSpace> space_;
+    int finest_strips_ = 0;  ///< of the space, where the nodes are read once
     std::unique_ptr<Nested> nested_;
 };
 

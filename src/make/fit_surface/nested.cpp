@@ -12,6 +12,8 @@ namespace {
 
 /// What must be left of a function when those before it are taken off: else rounding shows.
 constexpr double distinct_enough = 1e-7;
+/// Functions in a direction; more only cost the time to copy them.
+constexpr std::size_t expected = 24;
 
 /// Rows less factors[i] times `line` each; sq becomes the sums of their squares.
 BATTEN_CLONES void take_off_line(std::span<const double> line, std::span<const double> factors,
@@ -51,6 +53,9 @@ Nested::Nested(const SearchSpace& space, int degree, StripRule rule)
         const std::span<const double> lines = space.lines(way);
         side(way).breaks = {lines.front(), lines.back()};
         side(way).rest_sq.assign(lines.size(), 0.0);
+        side(way).coordinates.reserve(expected * space.size(way));
+        side(way).at_lines.reserve(expected * lines.size());
+        side(way).rest.reserve(expected * lines.size());
     }
 }
 

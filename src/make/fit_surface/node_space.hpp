@@ -23,7 +23,9 @@ public:
     bool has_break(Way, double) const override { return true; }
     double least_delta2() const override { return 0; }
     bool is_of_nodes() const override { return true; }
-    std::optional<Solution> solution(const Axis&, const Axis&) const override { return {}; }
+    Solution solution(const Axis& x, const Axis& y) const override {
+        return solve(nodes_, x, y, Corrected::no);
+    }
 
 private:
     const Nodes& nodes_;

@@ -78,6 +78,27 @@ BATTEN_CLONES void weigh_piece(const Piece& piece, double* e, PieceSums& sums) {
     for (std::size_t s = whole; s < piece.count; ++s) e[s] = add_node(piece, s, sums);
 }
 
+/// How many of 4, 5 ... psi_count standard deviations each residual is beyond.
+BATTEN_CLONES void count_large(const double* e, std::size_t count,
+                               std::array<double, psi_count>& beyond) {
+    std::size_t s = 0;
+    num::LaneMask masks[psi_count] = {};
+    for (; s + lanes <= count; s += lanes) {
+        Lanes size;
+        num::load(e + s, size);
+        size = size < 0 ? -size : size;
+        for (int w = 4; w <= psi_count; ++w) masks[w - 1] -= size > static_cast<double>(w);
+    }
+    for (std::size_t w = 3; w < psi_count; ++w) {
+        beyond[w] += static_cast<double>(num::sum_of(masks[w]));
+    }
+    for (; s < count; ++s) {
+        for (int w = 4; w <= psi_count && std::fabs(e[s]) > w; ++w) {
+            beyond[static_cast<std::size_t>(w - 1)] += 1;
+        }
+    }
+}
+
 }  // namespace
 
 void ResidualTotals::add(const Piece& piece, double* e) {
@@ -86,16 +107,7 @@ void ResidualTotals::add(const Piece& piece, double* e) {
     delta2_ += sums.delta2;
     largest_ = std::max({largest_, sums.highest, -sums.lowest});
     for (std::size_t w = 0; w < 3; ++w) beyond_[w] += sums.beyond[w];
-    if (sums.largest_sq > 16) add_large(e, piece.count);
-}
-
-void ResidualTotals::add_large(const double* e, std::size_t count) {
-    for (std::size_t s = 0; s < count; ++s) {
-        const double size = std::fabs(e[s]);
-        for (int w = 4; w <= psi_count && size > w; ++w) {
-            beyond_[static_cast<std::size_t>(w - 1)] += 1;
-        }
-    }
+    if (sums.largest_sq > 16) count_large(e, piece.count, beyond_);
 }
 
 void ResidualTotals::finish(Misfit& result, std::size_t count) const {

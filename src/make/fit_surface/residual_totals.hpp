@@ -29,8 +29,6 @@ public:
     void finish(Misfit& result, std::size_t count) const;
 
 private:
-    void add_large(const double* e, std::size_t count);
-
     double delta2_ = 0, largest_ = 0;
     std::array<double, psi_count> beyond_{};
 };

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -42,8 +41,8 @@ public:
     virtual double least_delta2() const = 0;
     /// Whether the coordinates are the nodes, so that residuals can be counted.
     virtual bool is_of_nodes() const = 0;
-    /// The coefficients over breaks that it has, where that is less than reading the nodes.
-    virtual std::optional<Solution> solution(const Axis& x, const Axis& y) const = 0;
+    /// The coefficients over breaks that it has; of nodes it reads them.
+    virtual Solution solution(const Axis& x, const Axis& y) const = 0;
 };
 
 }  // namespace batten::surface_fitting
