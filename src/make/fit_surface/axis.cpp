@@ -128,13 +128,15 @@ bool is_determined(const BSplineBasis& basis, std::span<const double> used) {
 Axis::Axis(BSplineBasis basis, std::span<const double> lines, std::span<const double> weights,
            std::span<const double> used)
     : basis_(std::move(basis)), plain_(surfaces::side_of(basis_, lines)) {
-    weighted_ = times(plain_, weights);
-    normal_ = times(weighted_, weights);
+    if (std::any_of(weights.begin(), weights.end(), [](double w) { return w != 1; })) {
+        weighted_ = times(plain_, weights);
+        normal_ = times(*weighted_, weights);
+    }
     open_ = fitting::undetermined_coefficients(lines_as_cells(basis_, used),
                                                static_cast<int>(basis_.size()));
     const bool is_regular =
         open_.empty() || is_determined(basis_, lines);
-    triangle_ = is_regular ? triangle_of(weighted_) : regular_triangle_of(weighted_);
+    triangle_ = is_regular ? triangle_of(weighted()) : regular_triangle_of(weighted());
 }
 
 double Axis::spread() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,8 +22,8 @@ public:
     std::size_t functions() const { return basis_.size(); }
     /// The splines as they are, times the weight, times its square.
     const num::TensorSide& plain() const { return plain_; }
-    const num::TensorSide& weighted() const { return weighted_; }
-    const num::TensorSide& normal() const { return normal_; }
+    const num::TensorSide& weighted() const { return weighted_ ? *weighted_ : plain_; }
+    const num::TensorSide& normal() const { return normal_ ? *normal_ : plain_; }
     /// Splines without a line of their own, rising; the triangle is then made regular by faint
     /// differences, which continue the surface smoothly.
     const std::vector<int>& open() const { return open_; }
@@ -41,7 +42,8 @@ public:
 
 private:
     BSplineBasis basis_;
-    num::TensorSide plain_, weighted_, normal_;
+    num::TensorSide plain_;
+    std::optional<num::TensorSide> weighted_, normal_;  ///< unless all weights are 1
     num::BandedQr triangle_;
     std::vector<int> open_;
 };

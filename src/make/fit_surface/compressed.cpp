@@ -167,11 +167,13 @@ double Compressed::read_nodes() {
             const double weight = nodes_.x_weight[r];
             all += weighted_square_sum(nodes_.z.data() + r * n, nodes_.y_weight) * weight * weight;
             const std::span<double> row = std::span(part).subspan((r - first) * q, q);
-            for (std::size_t j = 0; j < q; ++j) {
-                row[j] *= weight;
-                x_lines_[j * m + r] = row[j];
-            }
+            for (double& value : row) value *= weight;
             add_row_products(x_.weighted(), r, row, heights_);
+        }
+        for (std::size_t j = 0; j < q; ++j) {
+            for (std::size_t r = rows.first; r < rows.last; ++r) {
+                x_lines_[j * m + r] = part[(r - first) * q + j];
+            }
         }
     }
     for (std::size_t i = 0; i < x_.functions(); ++i) {

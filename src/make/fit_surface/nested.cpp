@@ -54,7 +54,6 @@ Nested::Nested(const SearchSpace& space, int degree, StripRule rule)
         side(way).breaks = {lines.front(), lines.back()};
         side(way).rest_sq.assign(lines.size(), 0.0);
         side(way).coordinates.reserve(expected * space.size(way));
-        side(way).at_lines.reserve(expected * lines.size());
         side(way).rest.reserve(expected * lines.size());
     }
 }
@@ -129,7 +128,6 @@ void Nested::take_off(Way way, std::span<const double> function) {
     Side& here = side(way);
     Side& there = side(across(way));
     const SearchSpace::Image image = space_.image(way, function);
-    const std::vector<double> at_lines = space_.at_lines(way, function);
     std::vector<double> shares(there.functions, 0.0);
     num::add_dots(there.coordinates, image.coordinates, shares);
 
@@ -138,13 +136,12 @@ void Nested::take_off(Way way, std::span<const double> function) {
     if (way == Way::x) take_off_product(function, fitted, residuals_.data());
     else take_off_product(fitted, function, residuals_.data());
 
-    take_off_line(at_lines, shares, here.rest, here.rest_sq);
-    std::vector<double> rest = image.lines;
-    for (double& share : shares) share = -share;
-    num::add_combination(shares, there.at_lines, rest);
-    for (std::size_t s = 0; s < rest.size(); ++s) there.rest_sq[s] += rest[s] * rest[s];
-    there.rest.insert(there.rest.end(), rest.begin(), rest.end());
-    here.at_lines.insert(here.at_lines.end(), at_lines.begin(), at_lines.end());
+    take_off_line(space_.at_lines(way, function), shares, here.rest, here.rest_sq);
+    there.rest.insert(there.rest.end(), image.lines.begin(), image.lines.end());
+    const std::span<double> fresh =
+        std::span(there.rest).last(image.lines.size());
+    num::add_times(-1, space_.at_lines(across(way), fitted), fresh);
+    for (std::size_t s = 0; s < fresh.size(); ++s) there.rest_sq[s] += fresh[s] * fresh[s];
 }
 
 std::vector<double> Nested::marginal_sums_sq(Way way) const {

@@ -35,7 +35,6 @@ private:
         std::vector<double> breaks;
         std::size_t functions = 0;
         std::vector<double> coordinates;  ///< of its functions
-        std::vector<double> at_lines;     ///< of its functions
         std::vector<double> rest;         ///< residuals of its lines by the functions across
         std::vector<double> rest_sq;      ///< their squares, a sum for each line
     };
