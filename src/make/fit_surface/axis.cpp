@@ -192,7 +192,8 @@ void Axis::invert_rows(std::span<double> matrix, std::size_t width) const {
     }
 }
 
-void Axis::invert_columns(std::span<double> matrix) const {
+template <class Rows>
+void Axis::by_columns(std::span<double> matrix, Rows work) const {
     const std::size_t n = functions(), count = matrix.size() / n;
     std::vector<double> turned(std::min(count, rows_turned) * n);
     for (std::size_t i = 0; i < count; i += rows_turned) {
@@ -201,11 +202,19 @@ void Axis::invert_columns(std::span<double> matrix) const {
         for (std::size_t k = 0; k < few; ++k) {
             for (std::size_t j = 0; j < n; ++j) turned[j * few + k] = from[k * n + j];
         }
-        invert_rows({turned.data(), n * few}, few);
+        work(std::span(turned).first(n * few), few);
         for (std::size_t k = 0; k < few; ++k) {
             for (std::size_t j = 0; j < n; ++j) from[k * n + j] = turned[j * few + k];
         }
     }
+}
+
+void Axis::invert_columns(std::span<double> matrix) const {
+    by_columns(matrix, [&](std::span<double> rows, std::size_t few) { invert_rows(rows, few); });
+}
+
+void Axis::forward_columns(std::span<double> matrix) const {
+    by_columns(matrix, [&](std::span<double> rows, std::size_t few) { forward_rows(rows, few); });
 }
 
 }  // namespace batten::surface_fitting

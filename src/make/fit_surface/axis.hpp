@@ -37,10 +37,14 @@ public:
     /// R c and R^-1 c.
     std::vector<double> times_triangle(std::span<const double> c) const;
     std::vector<double> solved(std::span<const double> c) const;
-    /// R^-T on the first index: half of it.
+    /// R^-T on the first index: half of it; and on the second.
     void forward_rows(std::span<double> matrix, std::size_t width) const;
+    void forward_columns(std::span<double> matrix) const;
 
 private:
+    template <class Rows>
+    void by_columns(std::span<double> matrix, Rows work) const;
+
     BSplineBasis basis_;
     num::TensorSide plain_;
     std::optional<num::TensorSide> weighted_, normal_;  ///< unless all weights are 1

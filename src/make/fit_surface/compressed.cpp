@@ -139,9 +139,7 @@ Compressed::Compressed(const Nodes& nodes, Axis x, Axis y)
     const double all = read_nodes();
     products_ = heights_;
     x_.forward_rows(heights_, y_.functions());
-    heights_ = transposed(heights_, x_.functions(), y_.functions());
-    y_.forward_rows(heights_, x_.functions());
-    heights_ = transposed(heights_, y_.functions(), x_.functions());
+    y_.forward_columns(heights_);
     y_.forward_rows(x_lines_, nodes.x.size());
     x_.forward_rows(y_lines_, nodes.y.size());
     least_delta2_ = all - num::sum_of_squares(heights_);

@@ -2,7 +2,7 @@
 
 #include "make/fit_surface/residual_totals.hpp"
 #include "make/fit_surface/solve.hpp"
-#include "num/clones.hpp"
+#include "num/rows.hpp"
 #include "num/tensor.hpp"
 
 namespace batten::surface_fitting {
@@ -10,24 +10,23 @@ namespace {
 
 constexpr std::size_t rows_of_misfit = 16;
 
-BATTEN_CLONES void add_scaled(const double* e, double value, std::size_t count,
-                              double* __restrict to) {
-    for (std::size_t s = 0; s < count; ++s) to[s] += value * e[s];
-}
-
 /// Where x-strips are measured: residuals e of weight 1, row after row.
 class Strips {
 public:
     Strips(const Nodes& nodes, const Axis& x, const Axis& y, StripRule rule)
-        : nodes_(nodes), x_(x), y_(y), rule_(rule), x_part_(x.basis().breaks().size() - 1, 0.0) {
+        : nodes_(nodes), x_(x), y_(y), rule_(rule), tensor_(x.weighted(), y.weighted()),
+          x_part_(x.basis().breaks().size() - 1, 0.0) {
         const std::size_t width = rule == StripRule::projected ? x.functions() : 1;
         y_sums_.assign(width * nodes.y.size(), 0.0);
         if (rule == StripRule::marginal) y_counts_.assign(nodes.y.size(), 0.0);
     }
 
-    void add_row(std::size_t r, const double* e) {
-        if (rule_ == StripRule::projected) add_projected(r, e);
-        else add_marginal(r, e);
+    void add(num::PlaceRange rows, std::span<const double> e) {
+        if (rule_ == StripRule::projected) return add_projected(rows, e);
+        const std::size_t ny = nodes_.y.size();
+        for (std::size_t r = rows.first; r < rows.last; ++r) {
+            add_marginal(r, e.data() + (r - rows.first) * ny);
+        }
     }
 
     void finish(Misfit& result) {
@@ -55,24 +54,15 @@ private:
                                         inside.begin());
     }
 
-    void add_projected(std::size_t r, const double* e) {
-        const std::size_t ny = nodes_.y.size(), q = y_.functions();
-        const num::TensorSide& b = y_.weighted();
-        along_.assign(q, 0.0);
-        for (std::size_t s = 0; s < ny; ++s) {
-            const double* const values = b.at(s);
-            for (int j = 0; j < b.order; ++j) {
-                along_[b.first[s] + static_cast<std::size_t>(j)] += e[s] * values[j];
-            }
-        }
-        y_.forward_rows(along_, 1);
-        double sum = 0;
-        for (const double a : along_) sum += a * a;
-        x_part_[strip_of(x_, nodes_.x[r])] += sum / static_cast<double>(q);
-        const num::TensorSide& a = x_.weighted();
-        for (int i = 0; i < a.order; ++i) {
-            double* const to = y_sums_.data() + (a.first[r] + static_cast<std::size_t>(i)) * ny;
-            add_scaled(e, a.at(r)[i], ny, to);
+    void add_projected(num::PlaceRange rows, std::span<const double> e) {
+        const std::size_t q = y_.functions();
+        along_.assign(rows.count() * q, 0.0);
+        tensor_.contract_apart(e, rows, y_sums_, along_);
+        y_.forward_columns(along_);
+        for (std::size_t r = rows.first; r < rows.last; ++r) {
+            const double sum =
+                num::sum_of_squares(std::span(along_).subspan((r - rows.first) * q, q));
+            x_part_[strip_of(x_, nodes_.x[r])] += sum / static_cast<double>(q);
         }
     }
 
@@ -93,6 +83,7 @@ private:
     const Axis& x_;
     const Axis& y_;
     StripRule rule_;
+    num::Tensor tensor_;
     std::vector<double> x_part_, y_sums_, y_counts_, along_;
 };
 
@@ -109,8 +100,8 @@ Misfit misfit_with_strips(const Nodes& nodes, const Axis& x, const Axis& y,
         for (std::size_t r = rows.first; r < rows.last; ++r) {
             double* const e = buffer.data() + (r - rows.first) * ny;
             totals.add(r, {0, ny}, e, e);
-            strips.add_row(r, e);
         }
+        strips.add(rows, {buffer.data(), rows.count() * ny});
     }
     Misfit result;
     totals.finish(result);
