@@ -149,13 +149,19 @@ BATTEN_CLONES void combine(const double* y, std::size_t stride, const double* h,
     const std::size_t count = places.count();
     y += places.first;
     if (order == 4) {
-        const double h0 = h[0], h1 = h[1], h2 = h[2], h3 = h[3];
         const double* const y1 = y + stride;
         const double* const y2 = y1 + stride;
         const double* const y3 = y2 + stride;
-        for (std::size_t s = 0; s < count; ++s) {
-            out[s] = (h0 * y[s] + h1 * y1[s]) + (h2 * y2[s] + h3 * y3[s]);
+        std::size_t s = 0;
+        for (; s + lanes <= count; s += lanes) {
+            Lanes a, b, c, d;
+            load(y + s, a);
+            load(y1 + s, b);
+            load(y2 + s, c);
+            load(y3 + s, d);
+            store((h[0] * a + h[1] * b) + (h[2] * c + h[3] * d), out + s);
         }
+        for (; s < count; ++s) out[s] = (h[0] * y[s] + h[1] * y1[s]) + (h[2] * y2[s] + h[3] * y3[s]);
         return;
     }
     for (std::size_t s = 0; s < count; ++s) out[s] = h[0] * y[s];
@@ -171,35 +177,36 @@ class Tensor::Lines {
 public:
     Lines(const Tensor& tensor, std::span<const double> c)
         : tensor_(tensor), c_(c), order_(static_cast<std::size_t>(tensor.x_->order)),
-          places_(tensor.y_->places()), lines_(2 * order_ * places_) {}
+          places_(tensor.y_->places()), reach_(whole_lanes(places_)),
+          lines_(2 * order_ * reach_) {}
 
     /// `first` must not fall from call to call.
     void go_to(std::size_t first) {
         for (std::size_t i = std::max(first, end_); i < first + order_; ++i) make(i);
         end_ = first + order_;
-        at_ = lines_.data() + (first % order_) * places_;
+        at_ = lines_.data() + (first % order_) * reach_;
     }
     void combine_at(const double* factors, PlaceRange columns, double* out) const {
-        combine(at_, places_, factors, order_, columns, out);
+        combine(at_, reach_, factors, order_, columns, out);
     }
 
 private:
     /// Twice, so that `order_` lines in a row are found from any place of the ring on.
     void make(std::size_t i) {
-        double* const line = lines_.data() + (i % order_) * places_;
+        double* const line = lines_.data() + (i % order_) * reach_;
         const double* const c = c_.data() + i * tensor_.y_->functions;
         for (const Run& run : tensor_.runs_) {
             combine(tensor_.y_turned_.data(), places_, c + run.function,
                     static_cast<std::size_t>(tensor_.y_->order), {run.first, run.last},
                     line + run.first);
         }
-        std::copy_n(line, places_, line + order_ * places_);
+        std::copy_n(line, places_, line + order_ * reach_);
     }
 
     const Tensor& tensor_;
     std::span<const double> c_;
-    std::size_t order_, places_;
-    std::vector<double> lines_;
+    std::size_t order_, places_, reach_;
+    AlignedNumbers lines_;
     const double* at_ = nullptr;
     std::size_t end_ = 0;
 };
@@ -210,7 +217,7 @@ Tensor::Tensor(const TensorSide& x, const TensorSide& y) : x_(&x), y_(&y) {
     for (std::size_t s = 0; s < places; ++s) {
         for (std::size_t j = 0; j < order; ++j) y_turned_[j * places + s] = y.at(s)[j];
     }
-    y_width_ = order <= 4 ? 4 : (order + lanes - 1) / lanes * lanes;
+    y_width_ = order <= 4 ? 4 : whole_lanes(order);
     if (y_width_ != order) {
         y_widened_.assign(places * y_width_, 0.0);
         for (std::size_t s = 0; s < places; ++s) {
@@ -256,7 +263,7 @@ void Tensor::expand(std::span<const double> c, PlaceRange rows, std::span<double
 
 void Tensor::for_each_piece(std::span<const double> c, PlaceRange rows, const Visit& visit) const {
     const std::size_t places = y_->places();
-    std::vector<double> values(block);
+    AlignedNumbers values(block);
     Lines lines(*this, c);
     for (PlaceRange few; few.last < rows.last;) {
         few = rows_alike(std::max(few.last, rows.first), rows.last);
@@ -284,20 +291,21 @@ void Tensor::add_products(Sums sums, std::size_t count, std::size_t block_index,
 
 void Tensor::contract(std::span<const double> z, PlaceRange rows, std::span<double> g) const {
     const std::size_t places = y_->places(), order = static_cast<std::size_t>(x_->order);
-    std::vector<double> sums(order * places);
+    const std::size_t reach = whole_lanes(places);
+    AlignedNumbers sums(order * reach);
     for (std::size_t r = rows.first; r < rows.last;) {
         const std::size_t function = x_->first[r];
-        std::fill(sums.begin(), sums.end(), 0.0);
+        std::fill_n(sums.data(), order * reach, 0.0);
         while (r < rows.last && x_->first[r] == function) {
             const PlaceRange few = rows_alike(r, rows.last);
             for (std::size_t s = 0; s < places; s += block) {
                 add_rows({z.data() + (r - rows.first) * places + s, places, x_->at(r), order},
-                         few.count(), std::min(block, places - s), sums.data() + s, places);
+                         few.count(), std::min(block, places - s), sums.data() + s, reach);
             }
             r = few.last;
         }
         for (std::size_t b = 0; b + 1 < block_runs_.size(); ++b) {
-            add_products({sums.data() + b * block, places}, order, b,
+            add_products({sums.data() + b * block, reach}, order, b,
                          g.data() + function * y_->functions);
         }
     }

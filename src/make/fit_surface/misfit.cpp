@@ -2,6 +2,7 @@
 
 #include "make/fit_surface/residual_totals.hpp"
 #include "make/fit_surface/solve.hpp"
+#include "num/lanes.hpp"
 #include "num/rows.hpp"
 #include "num/tensor.hpp"
 
@@ -115,7 +116,7 @@ Misfit misfit(const Nodes& nodes, const Axis& x, const Axis& y, const std::vecto
               std::optional<StripRule> rule) {
     if (rule) return misfit_with_strips(nodes, x, y, c, *rule);
     NodeTotals totals(nodes);
-    std::vector<double> e(nodes.y.size());
+    num::AlignedNumbers e(nodes.y.size());
     num::Tensor(x.plain(), y.plain())
         .for_each_piece(c, {0, nodes.x.size()},
                         [&](std::size_t r, num::PlaceRange columns, const double* heights) {

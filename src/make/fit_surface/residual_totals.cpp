@@ -11,14 +11,10 @@ namespace {
 using num::Lanes;
 using num::lanes;
 
-struct PieceSums {
-    double delta2 = 0, largest_sq = 0;    ///< of weighted residuals
-    double highest = 0, lowest = 0;       ///< residual in data units, where there is a weight
-    std::array<double, 3> beyond{};       ///< one, two, three standard deviations
-};
+using Sums = ResidualTotals::Sums;
 
-/// One node by itself.
-BATTEN_INLINE double add_node(const Piece& piece, std::size_t s, PieceSums& sums) {
+/// One node by itself, in the first lane.
+BATTEN_INLINE double add_node(const Piece& piece, std::size_t s, Sums& sums) {
     double d = piece.heights ? piece.z[s] - piece.heights[s] : piece.z[s];
     double e = piece.weight * d;
     if (piece.weights) {
@@ -26,32 +22,35 @@ BATTEN_INLINE double add_node(const Piece& piece, std::size_t s, PieceSums& sums
         if (piece.weights[s] == 0) d = 0;
     }
     const double sq = e * e;
-    sums.delta2 += sq;
-    sums.largest_sq = std::max(sums.largest_sq, sq);
-    sums.highest = std::max(sums.highest, d);
-    sums.lowest = std::min(sums.lowest, d);
-    sums.beyond[0] += sq > 1 ? 1 : 0;
-    sums.beyond[1] += sq > 4 ? 1 : 0;
-    sums.beyond[2] += sq > 9 ? 1 : 0;
+    sums.delta2[0] += sq;
+    sums.highest[0] = std::max(sums.highest[0], d);
+    sums.lowest[0] = std::min(sums.lowest[0], d);
+    sums.beyond[0][0] += sq > 1 ? 1 : 0;
+    sums.beyond[1][0] += sq > 4 ? 1 : 0;
+    sums.beyond[2][0] += sq > 9 ? 1 : 0;
     return e;
 }
 
-/// e = the weighted residuals and their sums: lane by lane, so that all widths of vectors give the same bits.
-BATTEN_CLONES void weigh_piece(const Piece& piece, double* e, PieceSums& sums) {
-    Lanes delta2 = {}, largest = {}, highest = {}, lowest = {};
-    num::LaneMask one = {}, two = {}, three = {};
+/// e = the weighted residuals; the largest of their squares.
+BATTEN_CLONES double weigh_piece(const Piece& piece, double* e, Sums& sums) {
+    const Lanes one = {1, 1, 1, 1, 1, 1, 1, 1};
+    Lanes delta2, highest, lowest, beyond[3], largest = {};
+    num::load(sums.delta2.data(), delta2);
+    num::load(sums.highest.data(), highest);
+    num::load(sums.lowest.data(), lowest);
+    for (std::size_t w = 0; w < 3; ++w) num::load(sums.beyond[w].data(), beyond[w]);
     const std::size_t whole = piece.count / lanes * lanes;
     for (std::size_t s = 0; s < whole; s += lanes) {
         Lanes d;
         num::load(piece.z + s, d);
-#ifdef __GNUC__
-        __builtin_prefetch(piece.z + s + piece.count);
-#endif
         if (piece.heights) {
             Lanes heights;
             num::load(piece.heights + s, heights);
             d -= heights;
         }
+#ifdef __GNUC__
+        __builtin_prefetch(piece.z + s + piece.count);
+#endif
         Lanes weighted = piece.weight * d;
         if (piece.weights) {
             Lanes weights;
@@ -64,18 +63,21 @@ BATTEN_CLONES void weigh_piece(const Piece& piece, double* e, PieceSums& sums) {
         largest = sq > largest ? sq : largest;
         highest = d > highest ? d : highest;
         lowest = d < lowest ? d : lowest;
-        one -= sq > 1;
-        two -= sq > 4;
-        three -= sq > 9;
+        beyond[0] = sq > 1 ? beyond[0] + one : beyond[0];
+        beyond[1] = sq > 4 ? beyond[1] + one : beyond[1];
+        beyond[2] = sq > 9 ? beyond[2] + one : beyond[2];
         num::store(weighted, e + s);
     }
-    sums.delta2 = num::sum_of(delta2);
-    sums.largest_sq = num::largest_of(largest);
-    sums.highest = num::largest_of(highest);
-    sums.lowest = -num::largest_of(-lowest);
-    sums.beyond = {static_cast<double>(num::sum_of(one)), static_cast<double>(num::sum_of(two)),
-                   static_cast<double>(num::sum_of(three))};
-    for (std::size_t s = whole; s < piece.count; ++s) e[s] = add_node(piece, s, sums);
+    num::store(delta2, sums.delta2.data());
+    num::store(highest, sums.highest.data());
+    num::store(lowest, sums.lowest.data());
+    for (std::size_t w = 0; w < 3; ++w) num::store(beyond[w], sums.beyond[w].data());
+    double largest_sq = num::largest_of(largest);
+    for (std::size_t s = whole; s < piece.count; ++s) {
+        e[s] = add_node(piece, s, sums);
+        largest_sq = std::max(largest_sq, e[s] * e[s]);
+    }
+    return largest_sq;
 }
 
 /// How many of 4, 5 ... psi_count standard deviations each residual is beyond.
@@ -102,19 +104,24 @@ BATTEN_CLONES void count_large(const double* e, std::size_t count,
 }  // namespace
 
 void ResidualTotals::add(const Piece& piece, double* e) {
-    PieceSums sums;
-    weigh_piece(piece, e, sums);
-    delta2_ += sums.delta2;
-    largest_ = std::max({largest_, sums.highest, -sums.lowest});
-    for (std::size_t w = 0; w < 3; ++w) beyond_[w] += sums.beyond[w];
-    if (sums.largest_sq > 16) count_large(e, piece.count, beyond_);
+    if (weigh_piece(piece, e, sums_) > 16) count_large(e, piece.count, beyond_);
 }
 
 void ResidualTotals::finish(Misfit& result, std::size_t count) const {
-    result.delta2 = delta2_;
-    result.max_residual = largest_;
+    const auto sum_of = [](const std::array<double, lanes>& sums) {
+        Lanes all;
+        num::load(sums.data(), all);
+        return num::sum_of(all);
+    };
+    result.delta2 = sum_of(sums_.delta2);
+    result.max_residual =
+        std::max(*std::max_element(sums_.highest.begin(), sums_.highest.end()),
+                 -*std::min_element(sums_.lowest.begin(), sums_.lowest.end()));
     const double all = static_cast<double>(count);
-    for (std::size_t w = 0; w < psi_count; ++w) result.psi[w] = (all - beyond_[w]) / all;
+    for (std::size_t w = 0; w < psi_count; ++w) {
+        const double beyond = w < 3 ? sum_of(sums_.beyond[w]) : beyond_[w];
+        result.psi[w] = (all - beyond) / all;
+    }
 }
 
 NodeTotals::NodeTotals(const Nodes& nodes)

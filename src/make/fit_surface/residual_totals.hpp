@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "make/fit_surface/solve.hpp"
+#include "num/lanes.hpp"
 #include "num/tensor.hpp"
 
 namespace batten::surface_fitting {
@@ -18,9 +19,15 @@ struct Piece {
     std::size_t count;
 };
 
-/// What the residuals of pieces come to.
+/// What the residuals of pieces come to. Lane by lane: all widths of vectors give the same bits.
 class ResidualTotals {
 public:
+    struct Sums {
+        std::array<double, num::lanes> delta2{};
+        std::array<double, num::lanes> highest{}, lowest{};  ///< in data units, where there is a weight
+        std::array<std::array<double, num::lanes>, 3> beyond{};  ///< one, two, three deviations
+    };
+
     /// Takes in a piece; e, which may be where its heights or z are, becomes its weighted residuals.
     void add(const Piece& piece, double* e);
     /// Takes in weighted residuals.
@@ -29,8 +36,8 @@ public:
     void finish(Misfit& result, std::size_t count) const;
 
 private:
-    double delta2_ = 0, largest_ = 0;
-    std::array<double, psi_count> beyond_{};
+    Sums sums_;
+    std::array<double, psi_count> beyond_{};  ///< four standard deviations and more
 };
 
 /// The same for the nodes of a grid.
