@@ -38,6 +38,8 @@ BATTEN_INLINE double largest_of(const Lanes& v) {
 class AlignedNumbers {
 public:
     explicit AlignedNumbers(std::size_t count) : storage_(count + lanes) {}
+    AlignedNumbers(const AlignedNumbers&) = delete;  // a copy would begin elsewhere
+    AlignedNumbers& operator=(const AlignedNumbers&) = delete;
 
     double* data() {
         const std::size_t past =

@@ -143,30 +143,33 @@ BATTEN_CLONES void add_product_of_rows(const Product& p, std::size_t count) {
     else add_product<Lanes>(p, count);
 }
 
-/// out[s] = sum of h[j] y[j * stride + s].
-BATTEN_CLONES void combine(const double* y, std::size_t stride, const double* h, std::size_t order,
+/// out[s] = sum of h[j] lines[j][s].
+BATTEN_CLONES void combine(const double* const* lines, const double* h, std::size_t order,
                            PlaceRange places, double* __restrict out) {
     const std::size_t count = places.count();
-    y += places.first;
     if (order == 4) {
-        const double* const y1 = y + stride;
-        const double* const y2 = y1 + stride;
-        const double* const y3 = y2 + stride;
+        const double* const y0 = lines[0] + places.first;
+        const double* const y1 = lines[1] + places.first;
+        const double* const y2 = lines[2] + places.first;
+        const double* const y3 = lines[3] + places.first;
         std::size_t s = 0;
         for (; s + lanes <= count; s += lanes) {
             Lanes a, b, c, d;
-            load(y + s, a);
+            load(y0 + s, a);
             load(y1 + s, b);
             load(y2 + s, c);
             load(y3 + s, d);
             store((h[0] * a + h[1] * b) + (h[2] * c + h[3] * d), out + s);
         }
-        for (; s < count; ++s) out[s] = (h[0] * y[s] + h[1] * y1[s]) + (h[2] * y2[s] + h[3] * y3[s]);
+        for (; s < count; ++s) {
+            out[s] = (h[0] * y0[s] + h[1] * y1[s]) + (h[2] * y2[s] + h[3] * y3[s]);
+        }
         return;
     }
-    for (std::size_t s = 0; s < count; ++s) out[s] = h[0] * y[s];
-    for (std::size_t j = 1; j < order; ++j) {
-        for (std::size_t s = 0; s < count; ++s) out[s] += h[j] * y[j * stride + s];
+    std::fill_n(out, count, 0.0);
+    for (std::size_t j = 0; j < order; ++j) {
+        const double* const line = lines[j] + places.first;
+        for (std::size_t s = 0; s < count; ++s) out[s] += h[j] * line[s];
     }
 }
 
@@ -177,38 +180,38 @@ class Tensor::Lines {
 public:
     Lines(const Tensor& tensor, std::span<const double> c)
         : tensor_(tensor), c_(c), order_(static_cast<std::size_t>(tensor.x_->order)),
-          places_(tensor.y_->places()), reach_(whole_lanes(places_)),
-          lines_(2 * order_ * reach_) {}
+          reach_(whole_lanes(tensor.y_->places())), lines_(order_ * reach_), at_(order_),
+          functions_(static_cast<std::size_t>(tensor.y_->order)) {
+        for (std::size_t j = 0; j < functions_.size(); ++j) {
+            functions_[j] = tensor.y_turned_.data() + j * tensor.y_->places();
+        }
+    }
 
     /// `first` must not fall from call to call.
     void go_to(std::size_t first) {
-        for (std::size_t i = std::max(first, end_); i < first + order_; ++i) make(i);
+        for (std::size_t i = std::max(first, end_); i < first + order_; ++i) {
+            double* const line = lines_.data() + (i % order_) * reach_;
+            const double* const c = c_.data() + i * tensor_.y_->functions;
+            for (const Run& run : tensor_.runs_) {
+                combine(functions_.data(), c + run.function, functions_.size(),
+                        {run.first, run.last}, line + run.first);
+            }
+        }
         end_ = first + order_;
-        at_ = lines_.data() + (first % order_) * reach_;
+        for (std::size_t i = 0; i < order_; ++i) {
+            at_[i] = lines_.data() + ((first + i) % order_) * reach_;
+        }
     }
     void combine_at(const double* factors, PlaceRange columns, double* out) const {
-        combine(at_, reach_, factors, order_, columns, out);
+        combine(at_.data(), factors, order_, columns, out);
     }
 
 private:
-    /// Twice, so that `order_` lines in a row are found from any place of the ring on.
-    void make(std::size_t i) {
-        double* const line = lines_.data() + (i % order_) * reach_;
-        const double* const c = c_.data() + i * tensor_.y_->functions;
-        for (const Run& run : tensor_.runs_) {
-            combine(tensor_.y_turned_.data(), places_, c + run.function,
-                    static_cast<std::size_t>(tensor_.y_->order), {run.first, run.last},
-                    line + run.first);
-        }
-        std::copy_n(line, places_, line + order_ * reach_);
-    }
-
     const Tensor& tensor_;
     std::span<const double> c_;
-    std::size_t order_, places_, reach_;
+    std::size_t order_, reach_, end_ = 0;
     AlignedNumbers lines_;
-    const double* at_ = nullptr;
-    std::size_t end_ = 0;
+    std::vector<const double*> at_, functions_;
 };
 
 Tensor::Tensor(const TensorSide& x, const TensorSide& y) : x_(&x), y_(&y) {

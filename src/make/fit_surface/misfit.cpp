@@ -19,14 +19,17 @@ public:
           x_part_(x.basis().breaks().size() - 1, 0.0) {
         const std::size_t width = rule == StripRule::projected ? x.functions() : 1;
         y_sums_.assign(width * nodes.y.size(), 0.0);
-        if (rule == StripRule::marginal) y_counts_.assign(nodes.y.size(), 0.0);
+        if (rule == StripRule::projected) return;
+        ones_.assign(nodes.y.size(), 1.0);
+        y_counts_.assign(nodes.y.size(),
+                         nodes.is_full() ? static_cast<double>(nodes.x.size()) : 0.0);
     }
 
     void add(num::PlaceRange rows, std::span<const double> e) {
         if (rule_ == StripRule::projected) return add_projected(rows, e);
         const std::size_t ny = nodes_.y.size();
         for (std::size_t r = rows.first; r < rows.last; ++r) {
-            add_marginal(r, e.data() + (r - rows.first) * ny);
+            add_marginal(r, e.subspan((r - rows.first) * ny, ny));
         }
     }
 
@@ -67,16 +70,19 @@ private:
         }
     }
 
-    void add_marginal(std::size_t r, const double* e) {
+    void add_marginal(std::size_t r, std::span<const double> e) {
         const std::size_t ny = nodes_.y.size();
-        double sum = 0, count = 0;
-        for (std::size_t s = 0; s < ny; ++s) {
-            const bool counts = nodes_.is_full() || nodes_.cell_factor_sq[r * ny + s] > 0;
-            sum += e[s];
-            count += counts;
-            y_sums_[s] += e[s];
-            y_counts_[s] += counts;
+        double count = static_cast<double>(ny);
+        if (!nodes_.is_full()) {
+            count = 0;
+            for (std::size_t s = 0; s < ny; ++s) {
+                const bool counts = nodes_.cell_factor_sq[r * ny + s] > 0;
+                count += counts;
+                y_counts_[s] += counts;
+            }
         }
+        const double sum = num::dot(e, ones_);
+        num::add_times(1, e, y_sums_);
         if (count > 0) x_part_[strip_of(x_, nodes_.x[r])] += sum * sum / count;
     }
 
@@ -85,7 +91,7 @@ private:
     const Axis& y_;
     StripRule rule_;
     num::Tensor tensor_;
-    std::vector<double> x_part_, y_sums_, y_counts_, along_;
+    std::vector<double> x_part_, y_sums_, y_counts_, ones_, along_;
 };
 
 Misfit misfit_with_strips(const Nodes& nodes, const Axis& x, const Axis& y,

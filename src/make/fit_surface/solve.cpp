@@ -26,11 +26,6 @@ public:
     }
     /// A^T W (z - A c); without c A^T W z.
     std::vector<double> gradient(const std::vector<double>* c) const {
-        if (!c && nodes_.is_full()) {
-            std::vector<double> g(unknowns(), 0.0);
-            normal_.contract(nodes_.z, {0, plain_.x().places()}, g);
-            return g;
-        }
         return gathered([&](num::PlaceRange rows, std::span<double> out) {
             const std::size_t width = plain_.y().places();
             const double* const z = nodes_.z.data() + rows.first * width;
@@ -122,12 +117,13 @@ bool is_harmless(const Axis& x, const Axis& y) {
 }
 
 Solution solve(const Nodes& nodes, const Axis& x, const Axis& y, Corrected corrected) {
-    const Passes passes(nodes, x, y);
-    if (!nodes.is_full()) return conjugate_gradients(passes, x, y);
-    Solution result{inverted(passes.gradient(nullptr), x, y)};
+    if (!nodes.is_full()) return conjugate_gradients(Passes(nodes, x, y), x, y);
+    std::vector<double> products(x.functions() * y.functions(), 0.0);
+    num::Tensor(x.normal(), y.normal()).contract(nodes.z, {0, nodes.x.size()}, products);
+    Solution result{inverted(std::move(products), x, y)};
     if (corrected == Corrected::where_needed && !is_harmless(x, y)) {
         add_times(result.coefficients, 1,
-                  inverted(passes.gradient(&result.coefficients), x, y));
+                  inverted(Passes(nodes, x, y).gradient(&result.coefficients), x, y));
     }
     return result;
 }
@@ -146,6 +142,7 @@ std::vector<double> residuals(const Nodes& nodes, const Axis& x, const Axis& y,
 std::vector<std::array<int, 2>> open_coefficients(const Nodes& nodes, const Axis& x,
                                                   const Axis& y) {
     std::vector<std::array<int, 2>> open;
+    if (nodes.is_full() && x.open().empty() && y.open().empty()) return open;
     std::vector<double> present(x.functions() * y.functions(), 1.0);
     if (!nodes.is_full()) {
         // The columns' square sums, found like a right-hand side from the squares of the splines.
