@@ -41,10 +41,6 @@ int functions_over(int intervals, const Growth& growth) {
     return growth.ends() == Ends::closed ? intervals : intervals + growth.system().order() - 1;
 }
 
-bool is_criterion(StopRule rule) {
-    return rule != StopRule::distribution && rule != StopRule::chi2 && rule != StopRule::none;
-}
-
 /// One search: which steps there were and whether to go on.
 class Search {
 public:
@@ -102,7 +98,7 @@ private:
     }
 
     bool reaches_on(const FitStep& step) {
-        const double value = criterion(plan_.rule, step);
+        const double value = criterion_of(step, plan_.rule);
         if (path_.steps.size() == 1 || value < best_) {
             best_ = value;
             best_intervals_ = step.intervals;
@@ -121,14 +117,14 @@ private:
         path_.chosen = path_.steps.size() - 1;
         if (plan_.exactly > 0 || plan_.delta2 > 0 || !is_criterion(plan_.rule)) return;
         for (std::size_t i = path_.steps.size(); i-- > 0;) {
-            if (criterion(plan_.rule, path_.steps[i]) <=
-                criterion(plan_.rule, path_.steps[path_.chosen])) {
+            if (criterion_of(path_.steps[i], plan_.rule) <=
+                criterion_of(path_.steps[path_.chosen], plan_.rule)) {
                 path_.chosen = i;
             }
         }
-        const double least = criterion(plan_.rule, path_.steps[path_.chosen]);
+        const double least = criterion_of(path_.steps[path_.chosen], plan_.rule);
         for (std::size_t i = 0; i < path_.steps.size(); ++i) {
-            const double other = criterion(plan_.rule, path_.steps[i]);
+            const double other = criterion_of(path_.steps[i], plan_.rule);
             if (i == path_.chosen || std::fabs(other - least) > tie * std::fabs(least)) continue;
             path_.notes.push_back("tie: " + std::to_string(path_.steps[i].intervals) + " and " +
                                   std::to_string(path_.steps[path_.chosen].intervals) +
@@ -154,7 +150,7 @@ private:
 
     /// Weights exp(-(misfit + charge p) / 2) of all steps, those that matter refitted.
     void weigh_alternatives() {
-        const double sigma2 = path_.steps[path_.chosen].sigma2;
+        const double sigma2 = path_.steps[path_.chosen].sigma2.value_or(0);
         const double unit = samples_.sigma_known || !(sigma2 > 0) ? 1 : sigma2;
         std::vector<double> values;
         for (const FitStep& step : path_.steps) {
@@ -189,27 +185,9 @@ private:
 
 }  // namespace
 
-double criterion(StopRule rule, const FitStep& step) {
-    switch (rule) {
-        case StopRule::aic: return step.aic;
-        case StopRule::aicc: return step.aicc;
-        case StopRule::gcv: return step.gcv;
-        default: return step.bic;
-    }
-}
-
 FitStep step_of(double delta2, std::size_t samples, int parameters, int intervals,
                 SigmaKnowledge knowledge) {
-    const FitCriteria c = fit_criteria(delta2, samples, parameters, knowledge);
-    FitStep step;
-    step.intervals = intervals;
-    step.delta2 = delta2;
-    step.sigma2 = c.sigma2.value_or(0);
-    step.aic = c.aic;
-    step.bic = c.bic;
-    step.aicc = c.aicc;
-    step.gcv = c.gcv;
-    return step;
+    return {fit_criteria(delta2, samples, parameters, knowledge), intervals, {}};
 }
 
 double robust_refit(Growth& growth, const Samples& samples, Robust robust,

@@ -30,8 +30,6 @@ struct StopPlan {
     bool wants_psi = false;  ///< list psi of every step
 };
 
-/// The value that `rule` makes least.
-double criterion(StopRule rule, const FitStep& step);
 /// All the numbers of a step.
 FitStep step_of(double delta2, std::size_t samples, int parameters, int intervals,
                 SigmaKnowledge knowledge);
