@@ -31,6 +31,11 @@ public:
     double spread() const;
     /// (A^T A)^-1 on the first index of a functions() x width matrix.
     void invert_rows(std::span<double> matrix, std::size_t width) const;
+    /// The same on the second index of a matrix with functions() columns.
+    void invert_columns(std::span<double> matrix) const;
+    /// R c and R^-1 c.
+    std::vector<double> times_triangle(std::span<const double> c) const;
+    std::vector<double> solved(std::span<const double> c) const;
     /// R^-T on the first index: half of it.
     void forward_rows(std::span<double> matrix, std::size_t width) const;
 

@@ -58,9 +58,12 @@ public:
         const int degree = lattice_.degree();
         SurfaceChoice choice{clamped_knots(x_breaks_[chosen], degree),
                              clamped_knots(y_breaks_[chosen], degree), {}, {}, 0, is_met_};
-        if (chosen + 1 == steps_.size() && lattice_.is_final()) {
-            choice.solution = lattice_.solution();
-            choice.misfit = lattice_.misfit();
+        if (std::optional<Lattice::Fit> fit =
+                lattice_.known_fit(x_breaks_[chosen], y_breaks_[chosen])) {
+            choice.x = std::move(fit->x);
+            choice.y = std::move(fit->y);
+            choice.solution = std::move(fit->solution);
+            choice.misfit = std::move(fit->misfit);
         }
         choice.path = std::move(steps_);
         return choice;
@@ -110,9 +113,9 @@ private:
 };
 
 SurfaceChoice insert_lines(Lattice& lattice, const Target& target) {
-    if (target.rule != StopRule::distribution || target.exactly[0] > 0 || target.delta2 > 0) {
-        lattice.compress();
-    }
+    const bool counts = target.rule == StopRule::distribution && target.exactly[0] == 0 &&
+                        target.delta2 == 0;
+    lattice.expect_splits(counts ? Lattice::Residuals::each : Lattice::Residuals::sums);
     LineSearch search(lattice, target);
     while (search.step_wants_more()) {
         const std::optional<Lattice::Strip> strip = lattice.worst(target.exactly);
@@ -224,6 +227,8 @@ SurfaceChoice moved_where_free(const Nodes& nodes, const FitSurfaceOptions& opti
     MovedLines moved = move_lines(nodes, std::move(choice.x_knots), std::move(choice.y_knots),
                                   options.degree);
     choice.solution.reset();
+    choice.x.reset();
+    choice.y.reset();
     choice.x_knots = std::move(moved.x_knots);
     choice.y_knots = std::move(moved.y_knots);
     choice.moved = moved.moved;

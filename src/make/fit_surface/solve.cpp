@@ -15,15 +15,6 @@ constexpr double small_enough = 1e-11;
 /// Of the triangles' diagonals: below, seminormal equations lose 4 digits of 16 at most.
 constexpr double harmless_spread = 100;
 
-std::vector<double> turned(const std::vector<double>& matrix, std::size_t rows,
-                           std::size_t columns) {
-    std::vector<double> result(matrix.size());
-    for (std::size_t i = 0; i < rows; ++i) {
-        for (std::size_t j = 0; j < columns; ++j) result[j * rows + i] = matrix[i * columns + j];
-    }
-    return result;
-}
-
 /// Both passes over the nodes that every solver needs.
 class Passes {
 public:
@@ -122,9 +113,8 @@ Solution conjugate_gradients(const Passes& passes, const Axis& x, const Axis& y)
 
 std::vector<double> inverted(std::vector<double> g, const Axis& x, const Axis& y) {
     x.invert_rows(g, y.functions());
-    std::vector<double> t = turned(g, x.functions(), y.functions());
-    y.invert_rows(t, x.functions());
-    return turned(t, y.functions(), x.functions());
+    y.invert_columns(g);
+    return g;
 }
 
 bool is_harmless(const Axis& x, const Axis& y) {
