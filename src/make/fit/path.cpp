@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "batten/shape/spline_function.hpp"
+#include "make/fit/residuals.hpp"
 
 namespace batten::fitting {
 namespace {
@@ -17,24 +18,13 @@ constexpr double least_weight = 0.01;  // of the best alternative's: less is lef
 constexpr double far_from_target = 2;
 constexpr double tie = 1e-9;      // relative difference of two criteria that is none
 
-SplineFunction spline_of(const Growth& growth) {
-    const std::span<const double> c = growth.system().coefficients(0);
+SplineFunction spline_of(const Growth& growth, std::size_t side = 0) {
+    const std::span<const double> c = growth.system().coefficients(static_cast<int>(side));
     std::vector<double> values(c.begin(), c.end());
     const int degree = growth.system().order() - 1;
     return growth.ends() == Ends::closed
                ? SplineFunction::periodic(growth.knots(), std::move(values), degree)
                : SplineFunction(growth.knots(), std::move(values), degree);
-}
-
-std::vector<double> residuals_of(const Growth& growth, const Samples& samples) {
-    std::vector<double> e(samples.size());
-    if (&growth.samples() == &samples) {
-        growth.residuals(e);
-        return e;
-    }
-    spline_of(growth).evaluate(samples.x, 0, e);
-    for (std::size_t i = 0; i < e.size(); ++i) e[i] = samples.sides[0][i] - e[i];
-    return e;
 }
 
 int functions_over(int intervals, const Growth& growth) {
@@ -184,6 +174,17 @@ private:
 };
 
 }  // namespace
+
+std::vector<double> residuals_of(const Growth& growth, const Samples& samples) {
+    if (&growth.samples() == &samples && samples.sides.size() == 1) {
+        std::vector<double> e(samples.size());
+        growth.residuals(e);
+        return e;
+    }
+    std::vector<SplineFunction> splines;
+    for (std::size_t s = 0; s < samples.sides.size(); ++s) splines.push_back(spline_of(growth, s));
+    return residuals_of(samples, splines);
+}
 
 FitStep step_of(double delta2, std::size_t samples, int parameters, int intervals,
                 SigmaKnowledge knowledge) {

@@ -43,6 +43,9 @@ Path insert_one_by_one(Growth& growth, const Samples& samples, Robust robust,
 /// The same with intervals of equal length.
 Path equal_intervals(Growth& growth, const Samples& samples, Robust robust, const StopPlan& plan);
 
+/// What is left of the samples by the last refit: see residuals_of in residuals.hpp.
+std::vector<double> residuals_of(const Growth& growth, const Samples& samples);
+
 /// The weights that the residuals of the last refit asked for.
 struct RobustWeights {
     std::vector<double> factors;        ///< of sigma; empty: all 1
