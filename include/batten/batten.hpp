@@ -64,6 +64,7 @@
 #include "batten/make/fit_front.hpp"
 #include "batten/make/fit_scattered.hpp"
 #include "batten/make/fit_surface.hpp"
+#include "batten/make/fit_surface_chunks.hpp"
 #include "batten/make/interpolate.hpp"
 #include "batten/make/motion.hpp"
 #include "batten/make/motion_law.hpp"
