@@ -91,6 +91,7 @@
 #include "batten/io/files.hpp"
 #include "batten/io/gcode.hpp"
 #include "batten/io/grid_file.hpp"
+#include "batten/io/grid_stream.hpp"
 #include "batten/io/json.hpp"
 #include "batten/io/point_grid.hpp"
 #include "batten/io/surface_file.hpp"
