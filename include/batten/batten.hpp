@@ -83,6 +83,7 @@
 #include "batten/make/fit_scattered.hpp"
 #include "batten/make/fit_statistics.hpp"
 #include "batten/make/fit_surface.hpp"
+#include "batten/make/fit_surface_chunks.hpp"
 
 // Reading, writing, drawing.
 #include "batten/io/curve_file.hpp"
@@ -95,6 +96,7 @@
 #include "batten/io/files.hpp"
 #include "batten/io/gcode.hpp"
 #include "batten/io/grid_file.hpp"
+#include "batten/io/grid_stream.hpp"
 #include "batten/io/json.hpp"
 #include "batten/io/point_grid.hpp"
 #include "batten/io/surface_file.hpp"
