@@ -2,12 +2,14 @@
 """Fits beside the field: mean squared errors and effective parameters of Batten, SciPy's smoothing
 spline by GCV, mgcv by REML, and FITPACK given the best s there is (by the truth).
 
-usage: fit_field.py COMMAND [--seeds 100] [--sizes 201,1024,2048] [--functions Blocks,Bumps]
-                    [--without mgcv]
+usage: fit_field.py [COMMAND] [--peers FILE] [--seeds 100] [--sizes 201,1024,2048]
+                    [--functions Blocks,Bumps] [--without mgcv]
 
 The four functions of [DonohoJohnstone1994] and a bathtub, scaled so that their standard
-deviation is the signal-to-noise ratio and the noise 1. Batten and FITPACK are told the noise. Prints
-one row a cell, medians and means over seeds, ready for docs/fitting.md.
+deviation is the signal-to-noise ratio and the noise 1. Batten and FITPACK are told the noise. Every
+seed draws its own noise, so that a few seeds are the beginning of many. Prints one row a cell, means
+over seeds, ready for docs/fitting.md. --peers keeps what the others found, a line of JSON for each
+fit; what the file holds is not computed again. Without COMMAND only that file is filled.
 """
 
 import argparse
@@ -121,63 +123,135 @@ def mgcv(x, columns, folder):
     return [(table[:-1, j], table[-1, j]) for j in range(len(columns))]
 
 
-def cell(arguments, function, n, ratio, folder, penalty):
-    x = (numpy.arange(n) + .5) / n
-    truth = function(x)
-    truth = truth * ratio / numpy.std(truth)
-    random = numpy.random.default_rng([n, ratio])
-    samples = [truth + random.standard_normal(n) for _ in range(arguments.seeds)]
-    fits = {"Batten": [batten(arguments.command, x, y, folder) for y in samples],
-            "Batten, pruned": [batten(arguments.command, x, y, folder, "--knots", "pruned")
-                               for y in samples],
-            "SciPy GCV": [smoothing(x, y, penalty, random) for y in samples],
-            "FITPACK best s": [fitpack(x, y, truth) for y in samples]}
-    if arguments.without != "mgcv":
-        fits["mgcv"] = mgcv(x, samples, folder)
-    return {name: (numpy.mean([numpy.mean((f - truth) ** 2) for f, _ in list_]),
-                   numpy.mean([p for _, p in list_])) for name, list_ in fits.items()}
+class Cell:
+    """A function at one number of samples and one ratio of signal to noise."""
+
+    def __init__(self, label, n, ratio):
+        self.label, self.n, self.ratio = label, n, ratio
+        self.x = (numpy.arange(n) + .5) / n
+        truth = FUNCTIONS[label](self.x)
+        self.truth = truth * ratio / numpy.std(truth)
+
+    def random(self, seed, stream=0):
+        key = [list(FUNCTIONS).index(self.label), self.n, self.ratio, seed, stream]
+        return numpy.random.default_rng(key)
+
+    def sample(self, seed):
+        return self.truth + self.random(seed).standard_normal(self.n)
+
+    def error(self, fit):
+        return float(numpy.mean((fit - self.truth) ** 2))
+
+
+class Peers:
+    """What the others found, by cell, seed and peer; appended to a file if there is one."""
+
+    NAMES = ["SciPy GCV", "FITPACK best s", "mgcv"]
+    BLOCK = 10
+
+    def __init__(self, path, without, folder):
+        self.names = [name for name in self.NAMES if name not in without.split(",")]
+        self.path, self.folder, self.penalty, self.found = path, folder, Lambda(), {}
+        if path and os.path.exists(path):
+            with open(path, encoding="utf-8") as stream:
+                for row in map(json.loads, stream):
+                    key = row["function"], row["n"], row["ratio"], row["seed"], row["peer"]
+                    self.found[key] = row["error"], row["parameters"]
+
+    def _fits(self, name, cell, seeds):
+        samples = [cell.sample(seed) for seed in seeds]
+        if name == "mgcv":
+            return mgcv(cell.x, samples, self.folder)
+        if name == "SciPy GCV":
+            return [smoothing(cell.x, y, self.penalty, cell.random(seed, 1))
+                    for y, seed in zip(samples, seeds)]
+        return [fitpack(cell.x, y, cell.truth) for y in samples]
+
+    def fill(self, cells, seeds):
+        """Blocks of seeds are the outermost loop: stopped early, every cell has as many."""
+        for first in range(0, seeds, self.BLOCK):
+            for cell in cells:
+                for name in self.names:
+                    self._fill(name, cell, range(first, min(first + self.BLOCK, seeds)))
+
+    def _fill(self, name, cell, seeds):
+        key = cell.label, cell.n, cell.ratio
+        missing = [seed for seed in seeds if (*key, seed, name) not in self.found]
+        if not missing:
+            return
+        lines = []
+        for seed, (fit, count) in zip(missing, self._fits(name, cell, missing)):
+            result = cell.error(fit), float(count)
+            self.found[(*key, seed, name)] = result
+            lines.append(json.dumps(dict(zip(
+                ("function", "n", "ratio", "seed", "peer", "error", "parameters"),
+                (*key, seed, name, *result)))) + "\n")
+        if self.path:
+            with open(self.path, "a", encoding="utf-8") as stream:
+                stream.writelines(lines)
+
+    def means(self, cell, seeds):
+        key = cell.label, cell.n, cell.ratio
+        return {name: numpy.mean([self.found[(*key, seed, name)] for seed in range(seeds)], axis=0)
+                for name in self.names}
+
+
+OURS = {"Batten": [], "Batten, pruned": ["--knots", "pruned"]}
+
+
+def ours(command, cell, seeds, folder):
+    """Means of error and parameters of both modes."""
+    means = {}
+    for name, more in OURS.items():
+        fits = [batten(command, cell.x, cell.sample(seed), folder, *more) for seed in range(seeds)]
+        means[name] = numpy.mean([(cell.error(fit), count) for fit, count in fits], axis=0)
+    return means
+
+
+def table(arguments, cells, peers, folder):
+    near, slim, both = ({name: 0 for name in OURS} for _ in range(3))
+    names = [*OURS, *peers.names]
+    print("| | N | S/N | " + " | ".join(names) + " | |")
+    print("|---" * (len(names) + 4) + "|")
+    for cell in cells:
+        peers.fill([cell], arguments.seeds)
+        others = peers.means(cell, arguments.seeds)
+        mine = ours(arguments.command, cell, arguments.seeds, folder)
+        best = min(others.values(), key=lambda pair: pair[0])
+        marks = []
+        for name, (error, count) in mine.items():
+            is_near, is_slim = error <= 1.1 * best[0], count <= .5 * best[1]
+            near[name] += is_near
+            slim[name] += is_slim
+            both[name] += is_near and is_slim
+            marks.append(("✓" if is_near else "–") + ("½" if is_slim else ""))
+        print(f"| {cell.label} | {cell.n} | {cell.ratio} | " + " | ".join(
+            f"{error:.4g} ({count:.0f})" for error, count in [*mine.values(), *others.values()]) +
+            f" | {' '.join(marks)} |", flush=True)
+    for name in OURS:
+        print(f"\n{name}: best or within 10 % of the best other in {near[name]} of {len(cells)} "
+              f"cells; at most half the parameters of the best other in {slim[name]}; both in "
+              f"{both[name]}")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("command")
+    parser.add_argument("command", nargs="?")
+    parser.add_argument("--peers")
     parser.add_argument("--seeds", type=int, default=100)
     parser.add_argument("--sizes", default="201,1024,2048")
     parser.add_argument("--functions", default=",".join(FUNCTIONS))
     parser.add_argument("--without", default="")
     arguments = parser.parse_args()
     warnings.simplefilter("ignore")
-    penalty = Lambda()
-    wins, cells = {"Batten": 0, "Batten, pruned": 0}, 0
-    slim, both = dict(wins), dict(wins)
-    names = None
+    cells = [Cell(label, int(n), ratio) for label in arguments.functions.split(",")
+             for n in arguments.sizes.split(",") for ratio in (3, 7)]
     with tempfile.TemporaryDirectory() as folder:
-        for label in arguments.functions.split(","):
-            function = FUNCTIONS[label]
-            for n in (int(text) for text in arguments.sizes.split(",")):
-                for ratio in (3, 7):
-                    result = cell(arguments, function, n, ratio, folder, penalty)
-                    if names is None:
-                        names = list(result)
-                        print("| | N | S/N | " + " | ".join(names) + " | |")
-                        print("|---" * (len(names) + 4) + "|")
-                    best = min(r for name, r in result.items() if name not in wins)
-                    marks = []
-                    for name in wins:
-                        near = result[name][0] <= 1.1 * best[0]
-                        half = result[name][1] <= .5 * best[1]
-                        wins[name] += near
-                        slim[name] += half
-                        both[name] += near and half
-                        marks.append(("✓" if near else "–") + ("½" if half else ""))
-                    cells += 1
-                    print(f"| {label} | {n} | {ratio} | " + " | ".join(
-                        f"{error:.4g} ({count:.0f})" for error, count in result.values()) +
-                        f" | {' '.join(marks)} |")
-                    sys.stdout.flush()
-    for name in wins:
-        print(f"\n{name}: best or within 10 % of the best other in {wins[name]} of {cells} cells; at "
-              f"most half the parameters of the best other in {slim[name]}; both in {both[name]}")
+        peers = Peers(arguments.peers, arguments.without, folder)
+        if arguments.command:
+            table(arguments, cells, peers, folder)
+        else:
+            peers.fill(cells, arguments.seeds)
 
 
 main()

@@ -212,13 +212,11 @@ TEST(FitCurveRefuses, WhatMakesNoSenseForACurve) {
     };
     const Points points({0, 0, 1, 1, 2, 0, 3, 1, 4, 0, 5, 1}, 2);
     EXPECT_EQ(code(Points(5, 1), {}), "points.dimension points");
+    EXPECT_EQ(code(Points(0, 2), {}), "fit.too-few samples");
     EXPECT_EQ(code(points, {}, {1, 1}), "fit.lengths sigma");
     EXPECT_EQ(code(points, {}, {1, 1, 0, 1, 1, 1}), "fit.sigma row 2, column sigma");
     EXPECT_EQ(code(Points({1, 1, 1, 1, 1, 1, 1, 1, 1, 1}, 2), {}), "points.all-equal points");
     FitOptions options;
-    options.robust = Robust::reject;
-    EXPECT_EQ(code(points, options), "fit.options robust");
-    options = {};
     options.knots = KnotPlacement::free;
     EXPECT_EQ(code(points, options), "fit.options knots");
     options = {};

@@ -81,7 +81,7 @@ private:
             choice_.is_met = is_end =
                 degrees > 0 && d.delta2 <= chi2_quantile(0.05, degrees);
         } else {
-            const double value = criterion(plan_.rule, charged);
+            const double value = criterion_of(charged, plan_.rule);
             is_better = is_first || value < least_;
             if (is_better) least_ = value;
             since_best_ = is_better ? 0 : since_best_ + 1;

@@ -8,6 +8,7 @@
 #include "make/fit/fixed_fit.hpp"
 #include "make/fit/free_choice.hpp"
 #include "make/fit/pruned_choice.hpp"
+#include "make/fit/residuals.hpp"
 #include "make/fit/shape_limits.hpp"
 #include "make/fit/tolerance_choice.hpp"
 
@@ -95,33 +96,27 @@ KnotChoice inserted_knots(const Samples& samples, const LocalBasis& basis,
 
 /// What the residuals of a choice's robust fit make of the weights.
 std::vector<double> chosen_factors(const Samples& samples, const LocalBasis& basis,
-                                   const KnotChoice& choice, Robust robust) {
+                                   const KnotChoice& choice, const FitOptions& options) {
     const Interval domain = samples.range;
     std::vector<double> breaks{domain.lo};
     for (const double t : choice.knots) {
         if (t > domain.lo && t < domain.hi) breaks.push_back(t);
     }
     breaks.push_back(domain.hi);
-    Growth growth(samples, basis, Ends::open, domain);
+    Growth growth(samples, basis, ends_of(options), domain);
     growth.restart(breaks);
     RobustWeights weights;
-    robust_refit(growth, samples, robust, weights);
-    std::vector<double> e(samples.size());
-    const std::span<const double> c = growth.system().coefficients(0);
-    SplineFunction(growth.knots(), {c.begin(), c.end()}, basis.order() - 1)
-        .evaluate(samples.x, 0, e);
-    for (std::size_t i = 0; i < e.size(); ++i) e[i] = samples.sides[0][i] - e[i];
-    return robust_factors(robust, samples, e);
+    robust_refit(growth, samples, options.robust, weights);
+    return robust_factors(options.robust, samples, residuals_of(growth, samples));
 }
 
 /// The same for a choice over `weighted` samples, all samples judged by it.
 std::vector<double> factors_over(const Samples& samples, const Samples& weighted,
                                  const LocalBasis& basis, const KnotChoice& choice,
-                                 Robust robust) {
-    std::vector<double> e(samples.size());
-    spline_of(solve_fixed(weighted, choice.knots, basis, Ends::open)).evaluate(samples.x, 0, e);
-    for (std::size_t i = 0; i < e.size(); ++i) e[i] = samples.sides[0][i] - e[i];
-    return robust_factors(robust, samples, e);
+                                 const FitOptions& options) {
+    const FixedFit fixed = solve_fixed(weighted, choice.knots, basis, ends_of(options));
+    return robust_factors(options.robust, samples,
+                          residuals_of(samples, splines_of(fixed, samples.sides.size())));
 }
 
 KnotChoice freed_knots(const Samples& samples, const LocalBasis& basis,
@@ -139,12 +134,12 @@ KnotChoice freed_knots(const Samples& samples, const LocalBasis& basis,
     insertion.distribution.clear();
     insertion.intervals.reset();
     std::vector<double> factors =
-        chosen_factors(samples, basis, inserted_knots(samples, basis, insertion), options.robust);
+        chosen_factors(samples, basis, inserted_knots(samples, basis, insertion), options);
     KnotChoice choice = chosen(reweighted(samples, factors));
     // Beside a jump inserted knots miss good samples too: those are asked back.
     for (int round = 0; round < most_rounds && options.knots == KnotPlacement::pruned; ++round) {
         std::vector<double> next =
-            factors_over(samples, reweighted(samples, factors), basis, choice, options.robust);
+            factors_over(samples, reweighted(samples, factors), basis, choice, options);
         if (next == factors) break;
         factors = std::move(next);
         choice = chosen(reweighted(samples, factors));

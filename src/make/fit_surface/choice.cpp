@@ -21,33 +21,15 @@ struct Target {
     double delta2 = 0;             ///< 0: not asked
 };
 
-bool is_by_criterion(StopRule rule) {
-    return rule != StopRule::distribution && rule != StopRule::chi2 && rule != StopRule::none;
-}
-
-double criterion_of(StopRule rule, const SurfaceStep& step) {
-    switch (rule) {
-        case StopRule::aic: return step.aic;
-        case StopRule::aicc: return step.aicc;
-        case StopRule::gcv: return step.gcv;
-        default: return step.bic;
-    }
-}
-
 SurfaceStep step_of(const Lattice& lattice) {
     const Misfit& misfit = lattice.misfit();
-    const FitCriteria c =
-        fit_criteria(misfit.delta2, lattice.samples(), lattice.parameters(),
-                     lattice.knows_sigma() ? SigmaKnowledge::known : SigmaKnowledge::unknown);
-    SurfaceStep step;
-    step.intervals = {lattice.x_strips(), lattice.y_strips()};
-    step.parameters = lattice.parameters();
-    step.delta2 = misfit.delta2;
-    step.sigma2 = c.sigma2.value_or(0);
-    step.aic = c.aic;
-    step.bic = c.bic;
-    step.aicc = c.aicc;
-    step.gcv = c.gcv;
+    const int parameters = lattice.parameters();
+    SurfaceStep step{
+        fit_criteria(misfit.delta2, lattice.samples(), parameters,
+                     lattice.knows_sigma() ? SigmaKnowledge::known : SigmaKnowledge::unknown),
+        {lattice.x_strips(), lattice.y_strips()},
+        parameters,
+        {}};
     if (!misfit.psi_is_missing) step.psi.assign(misfit.psi.begin(), misfit.psi.end());
     return step;
 }
@@ -68,7 +50,7 @@ public:
     SurfaceChoice finish() {
         std::size_t chosen = steps_.size() - 1;
         const bool is_free = target_.exactly[0] == 0 && target_.delta2 == 0;
-        if (is_free && is_by_criterion(target_.rule)) {
+        if (is_free && is_criterion(target_.rule)) {
             for (std::size_t i = steps_.size(); i-- > 0;) {
                 if (value(i) <= value(chosen)) chosen = i;
             }
@@ -88,7 +70,7 @@ public:
     }
 
 private:
-    double value(std::size_t i) const { return criterion_of(target_.rule, steps_[i]); }
+    double value(std::size_t i) const { return criterion_of(steps_[i], target_.rule); }
 
     bool wants_more(const SurfaceStep& step) {
         const std::size_t count = lattice_.samples();
