@@ -121,20 +121,15 @@ std::vector<double> factors_over(const Samples& samples, const Samples& weighted
 
 KnotChoice freed_knots(const Samples& samples, const LocalBasis& basis,
                        const FitOptions& options) {
-    require_enough(samples.size(), static_cast<std::size_t>(basis.order()));
+    require_enough(samples.size(), options.closed ? 1 : static_cast<std::size_t>(basis.order()));
     const auto chosen = [&](const Samples& used) {
         return options.knots == KnotPlacement::pruned ? pruned_knots(used, basis, options)
                                                       : free_knots(used, basis, options);
     };
     if (options.robust == Robust::none) return chosen(samples);
     // The outliers are those of the inserted knots; the last refit decides again.
-    FitOptions insertion = options;
-    insertion.knots = KnotPlacement::automatic;
-    insertion.stop = StopRule::bic;
-    insertion.distribution.clear();
-    insertion.intervals.reset();
-    std::vector<double> factors =
-        chosen_factors(samples, basis, inserted_knots(samples, basis, insertion), options);
+    std::vector<double> factors = chosen_factors(
+        samples, basis, inserted_knots(samples, basis, by_insertion(options)), options);
     KnotChoice choice = chosen(reweighted(samples, factors));
     // Beside a jump inserted knots miss good samples too: those are asked back.
     for (int round = 0; round < most_rounds && options.knots == KnotPlacement::pruned; ++round) {
@@ -214,10 +209,6 @@ void require_options(const FitOptions& o) {
     if (o.knots == KnotPlacement::free && o.degree == 0) {
         refuse("degree", "0", "free knots need degree 1 or more: a jump has no derivative");
     }
-    const bool are_moved = o.knots == KnotPlacement::free || o.knots == KnotPlacement::pruned;
-    if (are_moved && o.closed) {
-        refuse("closed", "true", "moved knots go with open splines only");
-    }
     if (o.knots == KnotPlacement::pruned && (o.intervals || o.delta2)) {
         refuse("knots", "pruned", "chooses the number of intervals itself");
     }
@@ -226,6 +217,15 @@ void require_options(const FitOptions& o) {
         throw Error("option.range", "delta2, free_from", format_number(*target),
                     "must be above 0");
     }
+}
+
+FitOptions by_insertion(const FitOptions& options) {
+    FitOptions insertion = options;
+    insertion.knots = KnotPlacement::automatic;
+    insertion.stop = StopRule::bic;
+    insertion.distribution.clear();
+    insertion.intervals.reset();
+    return insertion;
 }
 
 StopPlan stop_plan(const Samples& samples, const FitOptions& options) {

@@ -39,15 +39,15 @@ public:
 private:
     double cost_of(const KnotSet& set) {
         if (!is_ordered(fit_, set)) return infinite;
-        const double delta2 = fit_.value(set), n = static_cast<double>(samples_.size());
+        const double delta2 = fit_.value(set), n = static_cast<double>(samples_.values());
         if (!std::isfinite(delta2)) return delta2;
         // Where delta2 enters by its logarithm, interpolation would always win.
-        const int p = set.count() + fit_.order();
-        if (!samples_.sigma_known && 2 * p > static_cast<int>(samples_.size())) return infinite;
+        const int p = fit_.parameters_of(set);
+        if (!samples_.sigma_known && 2 * p > static_cast<int>(samples_.values())) return infinite;
         const double least = std::max(samples_.least_delta2, tiny);
         const double misfit =
             samples_.sigma_known ? delta2 : n * std::log(std::max(delta2, least));
-        return misfit + std::log(n) * set.count();
+        return misfit + std::log(n) * p;
     }
 
     bool take(const KnotSet& next) {
@@ -88,7 +88,7 @@ private:
         for (std::size_t j = 0; j < set_.size(); ++j) {
             for (const int side : {-1, 1}) {
                 const std::size_t to = j + static_cast<std::size_t>(side);
-                if (to >= set_.size() || set_.times[to] >= fit_.order()) continue;
+                if (to >= set_.size() || set_.times[to] >= fit_.most_times()) continue;
                 KnotSet next = set_;
                 ++next.times[to];
                 if (take(fewer(next, j))) break;
@@ -99,7 +99,7 @@ private:
     /// One more knot at a site, or in the middle between two.
     void put_in() {
         for (std::size_t j = 0; j < set_.size(); ++j) {
-            if (set_.times[j] >= fit_.order()) continue;
+            if (set_.times[j] >= fit_.most_times()) continue;
             KnotSet next = set_;
             ++next.times[j];
             take(next);
@@ -131,7 +131,8 @@ private:
     double cost_ = 0;
 };
 
-/// Stacked knots are corners and jumps, whatever the data are: the reader is told where.
+}  // namespace
+
 void note_stacks(KnotChoice& choice, const KnotSet& set, int order) {
     for (std::size_t j = 0; j < set.size(); ++j) {
         if (set.times[j] < order - 1 || set.times[j] < 2) continue;
@@ -141,8 +142,6 @@ void note_stacks(KnotChoice& choice, const KnotSet& set, int order) {
     }
 }
 
-}  // namespace
-
 KnotChoice pruned_knots(const Samples& samples, const LocalBasis& basis,
                         const FitOptions& options) {
     FitOptions insertion = options;
@@ -151,19 +150,15 @@ KnotChoice pruned_knots(const Samples& samples, const LocalBasis& basis,
     KnotChoice choice = choose_knots(samples, basis, insertion);
     choice.alternatives.clear();
     choice.notes.clear();
-    KnotSet start;
-    for (const double t : choice.knots) {
-        if (t > samples.range.lo && t < samples.range.hi) start.at.push_back(t);
-    }
-    start.times.assign(start.at.size(), 1);
-    FreeFit fit(samples, basis);
+    const KnotSet start = KnotSet::of(choice.knots, samples.range);
+    FreeFit fit(samples, basis, ends_of(options));
     Pruning pruning(fit, samples, start);
     int sweeps = 0;
     while (sweeps < most_sweeps && pruning.sweep()) ++sweeps;
     choice.is_converged = sweeps < most_sweeps;
-    choice.knots = open_knots(samples.range, pruning.set().flat(), basis.order());
+    choice.knots = fit.knots_of(pruning.set());
     choice.moved = pruning.set().count();
-    note_stacks(choice, pruning.set(), basis.order());
+    if (samples.sides.size() == 1) note_stacks(choice, pruning.set(), basis.order());
     return choice;
 }
 

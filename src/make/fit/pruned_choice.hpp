@@ -1,5 +1,6 @@
 #pragma once
 
+#include "make/fit/free_fit.hpp"
 #include "make/fit/knot_choice.hpp"
 
 namespace batten::fitting {
@@ -12,5 +13,9 @@ namespace batten::fitting {
 /// Cost: some ten fits a knot for each of some ten sweeps, each O(p order^3) whatever N.
 KnotChoice pruned_knots(const Samples& samples, const LocalBasis& basis,
                         const FitOptions& options);
+
+/// Stacked knots are corners and jumps, whatever the data are: the reader is told where. Of curves,
+/// whose knots go on moving with the parameters, at the very end.
+void note_stacks(KnotChoice& choice, const KnotSet& set, int order);
 
 }  // namespace batten::fitting
