@@ -9,7 +9,7 @@
 namespace batten::fitting {
 namespace {
 
-constexpr double gain_enough = 1e-4;  // of the misfit, to correct the parameters once more
+constexpr double misfit_gain_enough = 1e-4;  // of the misfit, to correct the parameters once more
 
 bool has_dropped(const std::vector<double>& factors) {
     return std::any_of(factors.begin(), factors.end(), [](double f) { return std::isinf(f); });
@@ -36,8 +36,8 @@ void CurveSearch::run() {
     if (is_again) choose(options_);
     if (choice_.moved > 0) move_on();
     if (options_.knots == KnotPlacement::pruned) {
-        const KnotSet set = KnotSet::of(here_->fixed.knots, problem_.samples().range);
-        note_stacks(choice_, set, basis_.order());
+        const BrokenSites sites = sites_of(here_->fixed.knots, problem_.samples().range);
+        note_breaks(choice_, sites, basis_.order());
     }
 }
 
@@ -56,7 +56,7 @@ void CurveSearch::move_on() {
             problem_.restore(std::move(t));
             break;
         }
-        if (before.misfit - here_->misfit <= gain_enough * before.misfit) break;
+        if (before.misfit - here_->misfit <= misfit_gain_enough * before.misfit) break;
     }
 }
 
@@ -117,7 +117,7 @@ void CurveSearch::correct() {
             problem_.restore(std::move(before));
             break;
         }
-        const bool is_enough = here_->misfit - next.misfit <= gain_enough * here_->misfit;
+        const bool is_enough = here_->misfit - next.misfit <= misfit_gain_enough * here_->misfit;
         here_ = std::move(next);
         if (is_enough) break;
     }

@@ -1,8 +1,6 @@
 #include "make/fit/free_fit.hpp"
 
 #include <algorithm>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 
 #include "num/cox_de_boor.hpp"
@@ -10,18 +8,8 @@
 namespace batten::fitting {
 namespace {
 
-constexpr std::size_t cache_size = 512;  // a power of two; direct mapped
 /// Scaled pivots of a closed spline's triangle below are taken as rank deficiency.
 constexpr double least_free_pivot = 1e-10;
-
-std::size_t cache_place(Interval span) {
-    std::uint64_t a = 0, b = 0;
-    std::memcpy(&a, &span.lo, sizeof a);
-    std::memcpy(&b, &span.hi, sizeof b);
-    // Fibonacci hashing [Knuth1998, 6.4].
-    const std::uint64_t mixed = (a * 0x9E3779B97F4A7C15u) ^ (b * 0xC2B2AE3D27D4EB4Fu);
-    return static_cast<std::size_t>((mixed >> 40) % cache_size);
-}
 
 }  // namespace
 
@@ -56,15 +44,10 @@ KnotSet KnotSet::of(std::span<const double> knots, Interval range) {
 FreeFit::FreeFit(const Samples& samples, const LocalBasis& basis, Ends ends)
     : samples_(samples),
       basis_(basis),
-      reducer_(samples, basis),
+      reduced_(samples, basis),
       ends_(ends),
-      system_(basis, reducer_.shape(), ends),
-      slopes_system_(basis, reducer_.shape(), ends),
-      cache_(cache_size) {
-    if (samples.size() > Growth::tree_from) {
-        tree_ = std::make_unique<ReductionTree>(reducer_, samples.range);
-    }
-}
+      system_(basis, reduced_.shape(), ends),
+      slopes_system_(basis, reduced_.shape(), ends) {}
 
 int FreeFit::most_times() const {
     return sides() == 1 && ends_ == Ends::open ? order() : order() - 1;
@@ -87,20 +70,6 @@ int FreeFit::parameters_of(const KnotSet& set) const {
     return functions_of(set) * static_cast<int>(sides());
 }
 
-const double* FreeFit::triangle(Interval span, Rows rows, RightEnd end) {
-    Cached& slot = cache_[cache_place(span)];
-    if (slot.lo == span.lo && slot.hi == span.hi) return slot.triangle.data();
-    slot.lo = span.lo;
-    slot.hi = span.hi;
-    slot.triangle.resize(reducer_.shape().size());
-    if (tree_ && rows.count() > 2 * ReductionTree::leaf_rows) {
-        tree_->over(span, end, slot.triangle.data());
-    } else {
-        reducer_.reduce(rows, span, Rest::wanted, slot.triangle.data());
-    }
-    return slot.triangle.data();
-}
-
 bool FreeFit::set_knots(const KnotSet& set) {
     const int k = order();
     const int functions = functions_of(set);
@@ -108,7 +77,7 @@ bool FreeFit::set_knots(const KnotSet& set) {
     knots_ = knots_of(set);
     spans_ = spans_of(knots_, k);
     firsts_.resize(spans_.size());
-    triangles_.resize(spans_.size() * reducer_.shape().size());
+    triangles_.resize(spans_.size() * reduced_.shape().size());
     blocks_.resize(spans_.size() * system_.block_size());
     cells_.clear();
     rest_ = 0;
@@ -120,15 +89,15 @@ bool FreeFit::set_knots(const KnotSet& set) {
         const Rows rows = rows_in(samples_, left, span, end);
         left.first = rows.last;
         if (ends_ == Ends::open) add_cells(knots_, k, spans_[i], samples_, rows, cells_);
-        const double* const t = triangle(span, rows, end);
-        std::copy_n(t, reducer_.shape().size(), triangles_.data() + i * reducer_.shape().size());
+        const double* const t = reduced_.triangle(span, rows, end);
+        std::copy_n(t, reduced_.shape().size(), triangles_.data() + i * reduced_.shape().size());
         firsts_[i] = static_cast<int>(spans_[i]) - k + 1;
-        rests_[i] = t[reducer_.shape().rest()];
+        rests_[i] = t[reduced_.shape().rest()];
         rest_ += rests_[i];
     }
     if (ends_ == Ends::open && rank_of(cells_, functions) < functions) return false;
     for (std::size_t i = 0; i < spans_.size(); ++i) {
-        system_.make_block(knots_, spans_[i], triangles_.data() + i * reducer_.shape().size(),
+        system_.make_block(knots_, spans_[i], triangles_.data() + i * reduced_.shape().size(),
                            blocks_.data() + i * system_.block_size());
     }
     system_.solve(functions, firsts_, blocks_);
@@ -177,7 +146,7 @@ void FreeFit::make_falls(std::size_t l) {
 /// Adds dS/dt_l on every span, as rows of the reduced problem (R times Chebyshev coefficients), for
 /// the knot with index l and every side to the slopes of place v of m.
 void FreeFit::add_slopes(std::size_t l, std::size_t v, std::size_t m) {
-    const int k = order(), width = reducer_.shape().width();
+    const int k = order(), width = reduced_.shape().width();
     longer_ = knots_;
     longer_.insert(longer_.begin() + static_cast<std::ptrdiff_t>(l), knots_[l]);
     make_falls(l);
@@ -194,7 +163,7 @@ void FreeFit::add_slopes(std::size_t l, std::size_t v, std::size_t m) {
         }
         num::basis_values_at(longer_, span, k, x, k, values);
         basis_.coefficients(values, k, b);
-        const double* const r = triangles_.data() + s * reducer_.shape().size();
+        const double* const r = triangles_.data() + s * reduced_.shape().size();
         for (std::size_t side = 0; side < sides(); ++side) {
             const double* const d = falls_.data() + side * static_cast<std::size_t>(k);
             for (int a = 0; a < k; ++a) {
@@ -239,7 +208,7 @@ double FreeFit::gradient(const KnotSet& set, std::vector<double>& g) {
     g.assign(set.size(), 0.0);
     if (!(j < std::numeric_limits<double>::infinity())) return j;
     const std::size_t k = static_cast<std::size_t>(order());
-    const std::size_t width = static_cast<std::size_t>(reducer_.shape().width());
+    const std::size_t width = static_cast<std::size_t>(reduced_.shape().width());
     make_all_slopes(set);
     for (std::size_t side = 0; side < sides(); ++side) {
         for (std::size_t s = 0; s < spans_.size(); ++s) {
@@ -265,7 +234,7 @@ double FreeFit::normal_matrix(const KnotSet& set, std::vector<double>& g,
     const std::size_t m = set.size(), k = static_cast<std::size_t>(order());
     matrix.assign(m * m, 0.0);
     if (m == 0 || !(j < std::numeric_limits<double>::infinity())) return j;
-    const std::size_t width = static_cast<std::size_t>(reducer_.shape().width());
+    const std::size_t width = static_cast<std::size_t>(reduced_.shape().width());
     slopes_system_.set_sides(static_cast<int>(m));
     rows_.resize(spans_.size() * k * (k + m));
     for (std::size_t side = 0; side < sides(); ++side) {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "make/fit/fixed_fit.hpp"
+#include "make/fit/span_triangles.hpp"
 
 /// delta2 as a function of the knots alone: the coefficients are always the best ones.
 namespace batten::fitting {
@@ -52,11 +52,6 @@ public:
     const std::vector<double>& part_sums() const { return part_sums_; }
 
 private:
-    struct Cached {
-        double lo = 0, hi = -1;
-        std::vector<double> triangle;
-    };
-    const double* triangle(Interval span, Rows rows, RightEnd end);
     bool set_knots(const KnotSet& set);
     bool is_determined(int functions);
     std::size_t sides() const { return samples_.sides.size(); }
@@ -73,11 +68,9 @@ private:
 
     const Samples& samples_;
     const LocalBasis& basis_;
-    Reducer reducer_;
-    std::unique_ptr<ReductionTree> tree_;
+    SpanTriangles reduced_;
     Ends ends_;
     KnotSystem system_, slopes_system_;
-    std::vector<Cached> cache_;
     std::vector<double> knots_, blocks_, triangles_, part_sums_, rests_, longer_, slopes_,
         falls_, rows_;
     std::vector<std::size_t> spans_;

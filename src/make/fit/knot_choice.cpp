@@ -7,6 +7,7 @@
 #include "batten/base/text.hpp"
 #include "make/fit/fixed_fit.hpp"
 #include "make/fit/free_choice.hpp"
+#include "make/fit/held.hpp"
 #include "make/fit/pruned_choice.hpp"
 #include "make/fit/residuals.hpp"
 #include "make/fit/shape_limits.hpp"
@@ -114,7 +115,8 @@ std::vector<double> chosen_factors(const Samples& samples, const LocalBasis& bas
 std::vector<double> factors_over(const Samples& samples, const Samples& weighted,
                                  const LocalBasis& basis, const KnotChoice& choice,
                                  const FitOptions& options) {
-    const FixedFit fixed = solve_fixed(weighted, choice.knots, basis, ends_of(options));
+    FixedFit fixed = solve_fixed(weighted, choice.knots, basis, ends_of(options));
+    hold_smooth(fixed, choice.held);
     return robust_factors(options.robust, samples,
                           residuals_of(samples, splines_of(fixed, samples.sides.size())));
 }

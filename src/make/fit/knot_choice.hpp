@@ -15,6 +15,7 @@ struct KnotChoice {
     std::vector<FitStep> path;
     std::vector<std::string> notes;
     std::vector<Alternative> alternatives;
+    std::vector<HeldDerivative> held;  ///< smooth though the knots stand often enough to jump
     int moved = 0;             ///< knots whose places were optimised
     bool by_data = false;      ///< knots chosen by the data
     bool is_met = true;

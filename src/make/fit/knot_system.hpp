@@ -38,6 +38,9 @@ public:
     void make_block_from(const double* b, const double* triangle, double* block) const;
     /// B itself (order x order).
     void to_chebyshev(std::span<const double> knots, std::size_t span, double* b) const;
+    /// The same for coefficients on a part of the span.
+    void to_chebyshev(std::span<const double> knots, std::size_t span, Interval part,
+                      double* b) const;
 
     /// Solves for `functions` coefficients (and `shape.sides` sides): block i touches the
     /// functions firsts[i] ... firsts[i] + order - 1, counted round for a closed spline.
