@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <system_error>
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
@@ -88,9 +89,21 @@ Argument read_numbers(const std::string& path) {
                                 : Argument(points_of(table, coordinate_columns(table)));
 }
 
+/// Whether a grid stays where it is: asked for by `--stream`, or larger than what is read whole.
+bool stays_stored(const std::string& path, const Command& command) {
+    if (command.operation->input != InputKind::grid || path == "-") return false;
+    for (const auto& [field, text] : command.options) {
+        if (field->name == "stream" && text == "true") return true;
+    }
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    return !error && size > most_bytes;
+}
+
 }  // namespace
 
 Input read_input(const std::string& path, const Command& command) {
+    if (stays_stored(path, command)) return {path, StoredFile{path}};
     Source source = read_source(path);
     const InputKind kind = command.operation->input;
     const auto refuse = [&](const char* what, const char* takes) {

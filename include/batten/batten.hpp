@@ -1,6 +1,6 @@
 #pragma once
 
-/// Batten: fair curves through points, and how good they are. The table of contents.
+/// Batten: fair curves and surfaces from points, and how good they are. The table of contents.
 
 // Numbers, points, and what can go wrong.
 #include "batten/base/error.hpp"
@@ -18,8 +18,8 @@
 #include "batten/shape/arc_chain.hpp"
 #include "batten/shape/basis.hpp"
 #include "batten/shape/bspline.hpp"
-#include "batten/shape/cubic_evaluator.hpp"
 #include "batten/shape/coons.hpp"
+#include "batten/shape/cubic_evaluator.hpp"
 #include "batten/shape/curve.hpp"
 #include "batten/shape/curved_knot_surface.hpp"
 #include "batten/shape/jet.hpp"
@@ -53,31 +53,37 @@
 #include "batten/measure/surface.hpp"
 #include "batten/measure/surface_measures.hpp"
 
-// Curves from points, and from other curves.
+// Make: interpolate.
+#include "batten/make/implicit_cubic.hpp"
+#include "batten/make/interpolate.hpp"
+#include "batten/make/natural_spline.hpp"
+#include "batten/make/pseudo_segment.hpp"
+#include "batten/make/pseudo_spline.hpp"
+
+// Make: points along a curve, denser and fewer points, arcs.
 #include "batten/make/arcs.hpp"
 #include "batten/make/convert.hpp"
 #include "batten/make/densify.hpp"
-#include "batten/make/implicit_cubic.hpp"
+#include "batten/make/motion.hpp"
+#include "batten/make/motion_law.hpp"
+#include "batten/make/sample.hpp"
+#include "batten/make/thin.hpp"
+
+// Make: fair.
+#include "batten/make/alpha.hpp"
+#include "batten/make/fair.hpp"
+#include "batten/make/fair_surface.hpp"
+#include "batten/make/log_aesthetic.hpp"
+
+// Make: fit.
 #include "batten/make/fit.hpp"
 #include "batten/make/fit_chunks.hpp"
 #include "batten/make/fit_curve.hpp"
 #include "batten/make/fit_front.hpp"
 #include "batten/make/fit_scattered.hpp"
+#include "batten/make/fit_statistics.hpp"
 #include "batten/make/fit_surface.hpp"
-#include "batten/make/interpolate.hpp"
-#include "batten/make/motion.hpp"
-#include "batten/make/motion_law.hpp"
-#include "batten/make/alpha.hpp"
-#include "batten/make/convert.hpp"
-#include "batten/make/fair.hpp"
-#include "batten/make/fair_surface.hpp"
-#include "batten/make/interpolate.hpp"
-#include "batten/make/log_aesthetic.hpp"
-#include "batten/make/natural_spline.hpp"
-#include "batten/make/pseudo_segment.hpp"
-#include "batten/make/pseudo_spline.hpp"
-#include "batten/make/sample.hpp"
-#include "batten/make/thin.hpp"
+#include "batten/make/fit_surface_chunks.hpp"
 
 // Reading, writing, drawing.
 #include "batten/io/curve_file.hpp"
@@ -90,6 +96,7 @@
 #include "batten/io/files.hpp"
 #include "batten/io/gcode.hpp"
 #include "batten/io/grid_file.hpp"
+#include "batten/io/grid_stream.hpp"
 #include "batten/io/json.hpp"
 #include "batten/io/point_grid.hpp"
 #include "batten/io/surface_file.hpp"

@@ -217,6 +217,7 @@ Outcome run_parametric(const PointsInput& input, FitTableOptions options) {
         naming_lines(input, [&] { return fit_curve(points, sigma, options.fit); }));
     made->report.notes.insert(made->report.notes.begin(), input.table.notes.begin(),
                               input.table.notes.end());
+    note_lines_of_rejected(made->report, input.table);
     return {Curve(made->curve), made->report.status, {}, report_value(made->report),
             [points, made, o = options.fit] { return fit_curve_picture(points, *made, o); },
             {}, [points, made] { return distance_rows(points, *made); }};

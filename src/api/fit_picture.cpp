@@ -141,15 +141,6 @@ Panel residual_panel(const FitData& data, const Fit& fit) {
     return panel;
 }
 
-double criterion_of(const FitStep& step, StopRule rule) {
-    switch (rule) {
-        case StopRule::aic: return step.aic;
-        case StopRule::aicc: return step.aicc;
-        case StopRule::gcv: return step.gcv;
-        default: return step.bic;
-    }
-}
-
 /// Air around counts; so wide that the numbers along the axis are whole.
 Interval whole_range(double first, double last) {
     constexpr double narrowest = 6, air = 0.04;
@@ -168,9 +159,7 @@ std::string probability(double p) {
 
 Panel criterion_panel(const FitReport& report, const FitOptions& options) {
     const StopRule rule = options.stop;
-    const bool is_criterion = rule != StopRule::distribution && rule != StopRule::chi2 &&
-                              rule != StopRule::none;
-    const std::string name(is_criterion ? name_of(rule) : name_of(StopRule::bic));
+    const std::string name(is_criterion(rule) ? name_of(rule) : name_of(StopRule::bic));
     const bool is_shaped = options.monotone != Direction::free || options.convex != Direction::free;
     Panel panel = chart(options.knots == KnotPlacement::pruned ? "criterion, before knots are pruned"
                         : is_shaped ? "criterion, without the shape asked for"

@@ -12,6 +12,7 @@
 #include "batten/io/surface_file.hpp"
 #include "batten/make/fit_front.hpp"
 #include "batten/make/fit_scattered.hpp"
+#include "batten/make/fit_surface_chunks.hpp"
 
 namespace batten::api {
 namespace {
@@ -21,7 +22,9 @@ struct SurfaceRequest {
     std::vector<double> x, y;
     bool scattered = false;
     Points lines{0, 1};
+    bool stream = false;
     FitSurfaceOptions fit;
+    Progress progress;
 };
 
 template <class Options, class Visit>
@@ -33,6 +36,9 @@ void visit_fields(Options& o, Visit&& visit) {
           "rows x,y,z[,sigma] in any places, not on a grid");
     visit("lines", o.lines, anything,
           "rows y,X1,X2,...: curved knot lines x = X(y) that are given");
+    visit("stream", o.stream, anything,
+          "read the file in blocks of rows, as files above 1 GiB always are: .npy or a table, knots "
+          "given, or equal with intervals");
     visit_fields(o.fit, visit);
 }
 
@@ -122,7 +128,31 @@ Outcome run_scattered(std::span<const Input> inputs, const SurfaceRequest& reque
                           even_places(domain.y, lines))};
 }
 
+bool is_streamed(std::span<const Input> inputs, const SurfaceRequest& request) {
+    const bool is_stored =
+        inputs.size() == 1 && std::holds_alternative<StoredFile>(inputs.front().content);
+    return request.stream || (is_stored && !request.scattered);
+}
+
+Outcome run_streamed(std::span<const Input> inputs, const SurfaceRequest& request) {
+    if (request.scattered || !request.lines.empty()) {
+        throw Error("fit-surface.streamed", request.scattered ? "scattered" : "lines", "given",
+                    "only grids with straight knot lines are read in blocks");
+    }
+    GridStream grid = grid_stream_input(inputs);
+    std::vector<double> x = grid.x(), y = grid.y();
+    take_lines(x, request.x, "x");
+    take_lines(y, request.y, "y");
+    const SurfaceFit made = fit_surface(
+        {x, y, [&](std::size_t first, std::span<double> z) { grid.read(first, z); }}, request.fit,
+        request.progress);
+    return {Surface(made.surface), made.report.status, {}, report_value(made.report),
+            [made] { return surface_picture(Surface(made.surface), usual_levels); },
+            surface_forms(Surface(made.surface), x, y)};
+}
+
 Outcome run(std::span<const Input> inputs, const SurfaceRequest& request) {
+    if (is_streamed(inputs, request)) return run_streamed(inputs, request);
     if (request.scattered) return run_scattered(inputs, request);
     GridFile grid = grid_input(inputs);
     take_lines(grid.x, request.x, "x");

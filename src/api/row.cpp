@@ -62,13 +62,30 @@ const SplineSurface& product_input(std::span<const Input> inputs) {
 GridFile grid_input(std::span<const Input> inputs) {
     const Input& input = single(inputs);
     if (const GridFile* grid = std::get_if<GridFile>(&input.content)) return *grid;
+    if (const StoredFile* file = std::get_if<StoredFile>(&input.content)) {
+        return read_grid(file->path);
+    }
     const Source* source = std::get_if<Source>(&input.content);
     if (!source) throw Error("input.kind", "input", "no grid", "this operation takes a grid");
     return parse_grid(*source);
 }
 
+GridStream grid_stream_input(std::span<const Input> inputs) {
+    const Input& input = single(inputs);
+    if (const StoredFile* file = std::get_if<StoredFile>(&input.content)) {
+        return GridStream(StoredBytes(file->path));
+    }
+    if (const Source* source = std::get_if<Source>(&input.content)) {
+        return GridStream(StoredBytes(*source));
+    }
+    throw Error("grid.streamed", input.name, "a grid in memory", "a file is read in blocks");
+}
+
 PointsInput rows_input(std::span<const Input> inputs) {
     const Input& input = single(inputs);
+    if (const StoredFile* file = std::get_if<StoredFile>(&input.content)) {
+        return {read_table(file->path), {}};
+    }
     if (const Source* source = std::get_if<Source>(&input.content)) return {parse_table(*source), {}};
     if (const GridFile* grid = std::get_if<GridFile>(&input.content)) {
         // Rows of three or four numbers, given as an array.

@@ -8,6 +8,7 @@
 #include "api/options_binding.hpp"
 #include "api/report_value.hpp"
 #include "batten/api/operation.hpp"
+#include "batten/io/grid_stream.hpp"
 
 /// What the rows of the operations table are made with.
 namespace batten::api {
@@ -57,6 +58,9 @@ const SplineSurface& product_input(std::span<const Input> inputs);
 /// The one grid of the inputs, read where it is still a file. Throws `input.kind`, `input.count`,
 /// and what parse_grid throws.
 GridFile grid_input(std::span<const Input> inputs);
+
+/// The same, to be read in blocks. Throws what GridStream throws.
+GridStream grid_stream_input(std::span<const Input> inputs);
 
 /// The same as rows of a table.
 PointsInput rows_input(std::span<const Input> inputs);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <vector>
 
 #include "num/clones.hpp"
 
@@ -31,5 +33,25 @@ BATTEN_INLINE double largest_of(const Lanes& v) {
     for (std::size_t l = 1; l < lanes; ++l) largest = v[l] > largest ? v[l] : largest;
     return largest;
 }
+
+/// Zeros that begin where a whole vector does: no load of eight crosses two lines of the cache.
+class AlignedNumbers {
+public:
+    explicit AlignedNumbers(std::size_t count) : storage_(count + lanes) {}
+    AlignedNumbers(const AlignedNumbers&) = delete;  // a copy would begin elsewhere
+    AlignedNumbers& operator=(const AlignedNumbers&) = delete;
+
+    double* data() {
+        const std::size_t past =
+            reinterpret_cast<std::uintptr_t>(storage_.data()) / sizeof(double) % lanes;
+        return storage_.data() + (lanes - past) % lanes;
+    }
+
+private:
+    std::vector<double> storage_;
+};
+
+/// `count` rounded up to whole vectors.
+constexpr std::size_t whole_lanes(std::size_t count) { return (count + lanes - 1) / lanes * lanes; }
 
 }  // namespace batten::num

@@ -5,13 +5,10 @@
 #include <cassert>
 #include <cmath>
 
+#include "num/clones.hpp"
+
 #if defined(__x86_64__) && defined(__GNUC__)
 #define BATTEN_HAS_X86_LEVELS
-#endif
-#ifdef __GNUC__
-#define BATTEN_INLINE [[gnu::always_inline]] inline
-#else
-#define BATTEN_INLINE inline
 #endif
 
 namespace batten::num {

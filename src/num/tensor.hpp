@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -32,8 +33,8 @@ struct PlaceRange {
 
 /// The product, prepared for one pair of sides. Borrows both.
 ///
-/// Laws: sums run in a fixed order, so the same bits follow however rows are split.
-/// Cost: order operations a place and side, one pass over the array; no allocation in `expand`.
+/// Laws: `expand` gives the same bits however rows are split; sums run in a fixed order.
+/// Cost: order operations a place and side, one pass over the array.
 class Tensor {
 public:
     Tensor(const TensorSide& x, const TensorSide& y);
@@ -44,21 +45,37 @@ public:
     /// out(r, s) = sum over i, j of x_i(r) c(i, j) y_j(s) for the x-places `rows`; `out` holds
     /// their rows only.
     void expand(std::span<const double> c, PlaceRange rows, std::span<double> out) const;
+    /// The same piece by piece, each once, stored nowhere: values[s] at (row, columns.first + s).
+    using Visit = std::function<void(std::size_t row, PlaceRange columns, const double* values)>;
+    void for_each_piece(std::span<const double> c, PlaceRange rows, const Visit& visit) const;
     /// g(i, j) += sum over r, s of x_i(r) z(r, s) y_j(s); `z` holds the rows of the places `rows`
     /// only.
     void contract(std::span<const double> z, PlaceRange rows, std::span<double> g) const;
+    /// The two halves of that: by_x(i, s) += sum over r of x_i(r) z(r, s), and of the places `rows`
+    /// only by_y(r, j) += sum over s of z(r, s) y_j(s).
+    void contract_apart(std::span<const double> z, PlaceRange rows, std::span<double> by_x,
+                        std::span<double> by_y) const;
 
 private:
     struct Run {
         std::size_t first, last, function;
     };
-    void flush(const double* sums, PlaceRange columns, std::size_t run, std::size_t function,
-               std::span<double> g) const;
+    struct Sums {
+        const double* from;
+        std::size_t stride;
+    };
+    class Lines;
+    /// What x-places with the same functions have in common, cut to a few rows.
+    PlaceRange rows_alike(std::size_t first, std::size_t last) const;
+    std::span<const Run> runs_of(std::size_t block) const;
+    void add_products(Sums sums, std::size_t count, std::size_t block, double* g) const;
 
     const TensorSide* x_;
     const TensorSide* y_;
-    std::vector<double> y_turned_;  ///< function after function: y_j(s) at [j * places + s]
-    std::vector<Run> runs_;         ///< of y-places with the same functions, cut at blocks
+    std::vector<double> y_turned_;   ///< function after function: y_j(s) at [j * places + s]
+    std::vector<double> y_widened_;  ///< place after place, filled up to whole vectors
+    std::size_t y_width_ = 1;        ///< of one place there
+    std::vector<Run> runs_;          ///< of y-places with the same functions, cut at blocks
     std::vector<std::size_t> block_runs_;
 };
 

@@ -1,3 +1,4 @@
+#include "batten/make/fit_surface_chunks.hpp"
 #include "errors.hpp"
 #include "surface_samples.hpp"
 
@@ -82,6 +83,57 @@ TEST(BadSurface, NumbersBeyondADoubleAreRefused) {
     FitSurfaceOptions options;
     options.sigma = 1;
     EXPECT_EQ(refused(table.view(), options), "number.overflow");
+}
+
+TEST(BadSurfaceChunk, TakesNothingInThatDoesNotBelongToIt) {
+    const SurfaceTable table = plain();
+    const std::span<const double> z = table.z.view().values();
+    const BSplineBasis x = BSplineBasis::over(std::vector<double>{0, 0.5, 1}, 3);
+    const BSplineBasis y = BSplineBasis::over(std::vector<double>{0, 1}, 3);
+    SurfaceChunk chunk(x, y, {table.y});
+    const auto code = [&](const SurfaceRows& rows, double sigma = 1) {
+        return code_of([&] { chunk.add(rows, sigma); });
+    };
+    const std::vector<double> one(1, 1.0), beyond{1.5}, falling{0.5, 0.25}, nothing{nan};
+    EXPECT_EQ(code({table.x, z.first(71)}), "fit-surface.sizes");
+    EXPECT_EQ(code({table.x, z, one}), "fit-surface.sizes");
+    EXPECT_EQ(code({table.x, z}, 0), "fit.sigma");
+    EXPECT_EQ(code({beyond, z.first(8)}), "fit.outside");
+    EXPECT_EQ(code({falling, z.first(16)}), "fit-surface.axis");
+    EXPECT_EQ(code({nothing, z.first(8)}), "points.not-finite");
+    SurfaceTable holed = plain();
+    holed.z(8, 7) = nan;
+    EXPECT_EQ(code({holed.x, holed.z.view().values()}), "points.not-finite");
+    EXPECT_EQ(chunk.samples(), 0u);
+    EXPECT_EQ(code_of([&] { chunk.solve(); }), "fit.too-few");
+    EXPECT_EQ(code_of([&] { chunk.merge(SurfaceChunk(y, y, {table.y})); }), "fit.chunks-differ");
+    EXPECT_EQ(code_of([&] { SurfaceChunk(x, y, {{0.5}}); }), "fit-surface.axis");
+    EXPECT_EQ(code_of([&] { SurfaceChunk(x, y, {{0.5, 2}}); }), "fit.outside");
+    EXPECT_EQ(code_of([&] { SurfaceChunk(x, y, {{0, 1}, {1, 1, 1}}); }), "fit-surface.sizes");
+    EXPECT_EQ(code({table.x, z}), "none");
+    EXPECT_EQ(chunk.samples(), 72u);
+}
+
+TEST(BadSurfaceStream, TakesOnlyKnotLinesThatNeedNoSearch) {
+    const SurfaceTable table = plain();
+    const std::span<const double> z = table.z.view().values();
+    const SurfaceStream stream{table.x, table.y, [&](std::size_t first, std::span<double> rows) {
+                                   std::copy_n(z.data() + first * 8, rows.size(), rows.begin());
+                               }};
+    FitSurfaceOptions options;
+    const auto code = [&] { return code_of([&] { fit_surface(stream, options); }); };
+    EXPECT_EQ(code(), "fit-surface.streamed");
+    options.knots = SurfaceKnots::equal;
+    EXPECT_EQ(code(), "fit-surface.streamed");
+    options.intervals = {2, 2};
+    EXPECT_EQ(code(), "none");
+    options.intervals = {7, 2};
+    EXPECT_EQ(code(), "fit.too-few");
+    options.intervals = {};
+    options.x_knots = {0.5};
+    EXPECT_EQ(code(), "none");
+    options.knots = SurfaceKnots::free;
+    EXPECT_EQ(code(), "fit-surface.streamed");
 }
 
 }  // namespace fit_surface_bad_test

@@ -1,5 +1,6 @@
 #include "batten/api/operation.hpp"
 #include "batten/io/grid_file.hpp"
+#include "batten/io/grid_stream.hpp"
 #include "errors.hpp"
 
 /// Grids that are none, through the operation that every face runs.
@@ -61,6 +62,50 @@ TEST(BadGrid, ScatteredRowsThatAreNoneAreRefused) {
     EXPECT_EQ(refused("g.csv", "x,y\n0,1\n1,1\n", scattered), "table.unknown-column");
     EXPECT_EQ(refused("g.csv", "x,y,z\n0,1,2\n1,1,nan\n", scattered), "points.not-finite");
     EXPECT_EQ(refused("g.csv", "x,y,z\n0,1,2\n1,1,3\n", scattered), "fit.x-equal");
+}
+
+/// The code of what is wrong with a grid that is read in blocks of two rows.
+std::string refused_stream(const std::string& name, const std::string& bytes) {
+    return code_of([&] {
+        GridStream stream(StoredBytes(Source{name, bytes}));
+        std::vector<double> z(2 * stream.y().size());
+        for (std::size_t first = 0; first + 2 <= stream.x().size(); ++first) stream.read(first, z);
+    });
+}
+
+TEST(BadGridStream, FilesThatAreNoWholeTableAreRefused) {
+    EXPECT_EQ(refused_stream("g.csv", good), "none");
+    EXPECT_EQ(refused_stream("g.csv", ""), "file.empty");
+    EXPECT_EQ(refused_stream("g.csv", "# nothing\n"), "file.empty");
+    EXPECT_EQ(refused_stream("g.csv", "x,y,f\n0,0,1\n0,1,1\n1,0,3\n"), "grid.streamed");
+    EXPECT_EQ(refused_stream("g.pgm", "P2\n2 2\n9\n1 2 3 4\n"), "grid.streamed");
+    EXPECT_EQ(refused_stream("g.csv", ",0,1,2\n0,1,2,3\n"), "grid.too-small");
+    EXPECT_EQ(refused_stream("g.csv", ",0,1,2\n0,1,2\n1,2,3,4\n"), "grid.ragged");
+    EXPECT_EQ(refused_stream("g.csv", ",0,2,1\n0,1,2,3\n1,2,3,4\n"), "grid.axis");
+    EXPECT_EQ(refused_stream("g.csv", ",0,1,2\n0,1,2,3\n0,2,3,4\n"), "grid.axis");
+    EXPECT_EQ(refused_stream("g.csv", ",0,1,2\n0,1,2,3\nword,2,3,4\n"), "grid.axis");
+    EXPECT_EQ(refused_stream("g.csv", ",0,1,2\n0,1,2,3\n1,2,,4\n"), "grid.holes");
+    EXPECT_EQ(refused_stream("g.csv", ",0,1,2\n0,1,2,3\n1,2,inf,4\n"), "grid.cell");
+    EXPECT_EQ(refused_stream("g.csv", ",0,1,2\n0,1,2,3\n1,2,\"3,4\n"), "table.quote");
+}
+
+TEST(BadGridStream, ArraysThatCannotBeReadInRowsAreRefused) {
+    Grid z(3, 2);
+    for (std::size_t k = 0; k < 6; ++k) z(k / 2, k % 2) = static_cast<double>(k);
+    std::string npy = npy_grid(z);
+    EXPECT_EQ(refused_stream("g.npy", npy), "none");
+    EXPECT_EQ(refused_stream("g.npy", npy.substr(0, npy.size() - 1)), "npy.truncated");
+    EXPECT_EQ(refused_stream("g.npy", npy.substr(0, 40)), "npy.header");
+    std::string fortran = npy;
+    fortran.replace(fortran.find("False"), 5, "True ");
+    EXPECT_EQ(refused_stream("g.npy", fortran), "grid.streamed");
+    std::string flat = npy;
+    flat.replace(flat.find("(3, 2)"), 6, "(6,)  ");
+    EXPECT_EQ(refused_stream("g.npy", flat), "npy.shape");
+    z.drop(1, 1);
+    EXPECT_EQ(refused_stream("g.npy", npy_grid(z)), "grid.holes");
+    EXPECT_EQ(code_of([] { StoredBytes("no such file"); }), "file.missing");
+    EXPECT_EQ(code_of([] { StoredBytes("/"); }), "file.directory");
 }
 
 }  // namespace

@@ -35,6 +35,19 @@ class Surfaces(Folder):
         for form in ("csv", "svg", "dxf"):
             self.good("contour", self.path("s.json"), "-o", self.path("c." + form))
 
+    def test_a_grid_read_in_blocks_gives_the_same_surface(self):
+        lines = ["--knots", "equal", "--intervals", "3,2", "--sigma", "0.01"]
+        self.good("fit-surface", self.grid(), *lines, "-o", self.path("heights.npy"))
+        for name in ("grid.csv", "heights.npy"):
+            whole = self.report("fit-surface", self.path(name), *lines)["report"]
+            blocks = self.report("fit-surface", self.path(name), *lines, "--stream", "--draw",
+                                 self.path("s.svg"))["report"]
+            self.assertEqual(blocks["knots_x"], whole["knots_x"])
+            self.assertAlmostEqual(blocks["bic"], whole["bic"], places=9)
+            self.assertEqual(blocks["psi"], whole["psi"])
+        for refused in (["--knots", "auto"], ["--knots", "equal"], ["--scattered"]):
+            self.refused("fit-surface.streamed", "fit-surface", self.grid(), "--stream", *refused)
+
     def test_pictures_of_surfaces_have_their_panels(self):
         self.good("fit-surface", self.grid(), "--sigma", "0.01", "-o", self.path("s.json"),
                   "--draw", self.path("s.svg"))

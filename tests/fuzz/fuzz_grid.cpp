@@ -2,9 +2,33 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "batten/io/grid_file.hpp"
+#include "batten/io/grid_stream.hpp"
 #include "promises.hpp"
+
+namespace {
+
+/// What is read in blocks is what is read whole; forms that are not read in blocks are refused.
+void check_stream(const batten::Source& source, const batten::GridFile& whole) {
+    using namespace batten;
+    try {
+        GridStream stream{StoredBytes(source)};
+        std::vector<double> z(whole.y.size());
+        fuzz::require(stream.x() == whole.x && stream.y() == whole.y);
+        for (std::size_t i = 0; i < whole.x.size(); ++i) {
+            stream.read(i, z);
+            for (std::size_t j = 0; j < z.size(); ++j) fuzz::require(z[j] == whole.z(i, j));
+        }
+    } catch (const Error& error) {
+        fuzz::check_error(error);
+        fuzz::require(error.code() == "grid.streamed" ||
+                      (error.code() == "grid.holes" && whole.z.missing() > 0));
+    }
+}
+
+}  // namespace
 
 /// The first byte chooses the format, the rest is the file.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -22,6 +46,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         for (const double z : file.z.view().values()) fuzz::require(std::isfinite(z));
         for (std::size_t i = 1; i < file.x.size(); ++i) fuzz::require(file.x[i - 1] < file.x[i]);
         for (std::size_t j = 1; j < file.y.size(); ++j) fuzz::require(file.y[j - 1] < file.y[j]);
+        if (grid_format(source) == formats[data[0] % 4]) check_stream(source, file);
         const GridFile copy = parse_grid({"copy.csv", csv_grid(file.x, file.y, file.z)});
         fuzz::require(copy.x == file.x && copy.y == file.y);
     } catch (const Error& error) {

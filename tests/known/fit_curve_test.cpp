@@ -1,9 +1,12 @@
 #include "batten/make/fit_curve.hpp"
 #include "batten/measure/area.hpp"
 #include "batten/measure/length.hpp"
+#include "batten/measure/nearest.hpp"
 #include "fit_samples.hpp"
 
 #include <gtest/gtest.h>
+
+#include <limits>
 
 /// Parametric least squares: known shapes.
 namespace batten {
@@ -109,6 +112,99 @@ TEST(FitCurve, SaysThatTheSearchEndedWhileTheCriterionStillFell) {
     ASSERT_FALSE(report.notes.empty());
     EXPECT_EQ(report.notes[0], "intervals: the criterion was still falling at 50, where "
                                "coefficients are half as many as samples");
+}
+
+/// `points` with some of them moved away from the centre.
+Points with_outliers(Points points, const std::vector<std::size_t>& rows, double by) {
+    for (const std::size_t i : rows) {
+        const double radius = std::hypot(points(i, 0), points(i, 1));
+        for (int k = 0; k < 2; ++k) points(i, k) *= 1 + by / radius;
+    }
+    return points;
+}
+
+/// The largest distance of one curve from the other.
+double largest_distance(const CurveFit& one, const CurveFit& other) {
+    const Curve curve(one.curve);
+    double largest = 0;
+    for (int i = 0; i <= 200; ++i) {
+        const Jet jet = curve.jet(curve.domain().lo + curve.domain().length() * (i / 200.0), 0);
+        const std::vector<double> point{jet[0][0], jet[0][1]};
+        largest = std::max(largest, nearest(Curve(other.curve), point).distance);
+    }
+    return largest;
+}
+
+Points without(PointsView points, const std::vector<std::size_t>& rows) {
+    Points rest(0, points.dim());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (std::find(rows.begin(), rows.end(), i) == rows.end()) rest.push_back(points[i]);
+    }
+    return rest;
+}
+
+TEST(RobustFitCurve, IsThatOfThePointsWithoutOutliersFarOrNear) {
+    const std::vector<std::size_t> rows{40, 100, 171};
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const Points clean = circle(200, 0.1, seed);
+        FitOptions options;
+        options.closed = true;
+        options.sigma = 0.1;
+        const CurveFit wanted = fit_curve(without(clean, rows), {}, options);
+        options.robust = Robust::reject;
+        for (const double by : {0.7, 3.0}) {
+            const CurveFit made = fit_curve(with_outliers(clean, rows, by), {}, options);
+            EXPECT_EQ(made.report.rejected, rows) << by;
+            EXPECT_EQ(made.report.samples, 2 * 197u);
+            EXPECT_EQ(made.report.intervals, wanted.report.intervals);
+            EXPECT_LT(largest_distance(made, wanted), 0.05 * 0.1) << by;
+            EXPECT_EQ(made.parameters.size(), clean.size());
+            EXPECT_TRUE(std::is_sorted(made.parameters.begin(), made.parameters.end()));
+        }
+    }
+}
+
+TEST(RobustFitCurve, WeighsByDistance) {
+    const std::vector<std::size_t> rows{40, 100, 171};
+    const Points clean = circle(200, 0.1, 1);
+    FitOptions options;
+    options.closed = true;
+    options.sigma = 0.1;
+    const CurveFit wanted = fit_curve(without(clean, rows), {}, options);
+    const Points points = with_outliers(clean, rows, 0.7);
+    const auto off = [&](Robust robust) {
+        options.robust = robust;
+        return largest_distance(fit_curve(points, {}, options), wanted) / 0.1;
+    };
+    EXPECT_GT(off(Robust::none), 2);
+    EXPECT_LT(off(Robust::huber), 1);
+    EXPECT_LT(off(Robust::tukey), 1);
+}
+
+TEST(RobustFitCurve, PutsRejectedPointsBetweenTheirNeighbours) {
+    const Points points = with_outliers(circle(60, 0.01, 2), {0, 20, 45}, 2);
+    FitOptions options;
+    options.closed = true;
+    options.robust = Robust::reject;
+    const CurveFit made = fit_curve(points, {}, options);
+    EXPECT_EQ(made.report.rejected, (std::vector<std::size_t>{0, 20, 45}));
+    const Jet foot = Curve(made.curve).jet(made.parameters[20], 1);
+    const double dx = points(20, 0) - foot[0][0], dy = points(20, 1) - foot[0][1];
+    EXPECT_NEAR(std::hypot(dx, dy), 2, 0.05);
+    EXPECT_LT(std::fabs(dx * foot[1][0] + dy * foot[1][1]), 0.05);
+}
+
+TEST(FitCurve, LeavesOutWhatHasNoWeight) {
+    const std::vector<std::size_t> rows{7, 30};
+    const Points clean = circle(60, 0.1, 2);
+    std::vector<double> sigma(60, 0.1);
+    for (const std::size_t i : rows) sigma[i] = std::numeric_limits<double>::infinity();
+    FitOptions options;
+    const CurveFit made = fit_curve(with_outliers(clean, rows, 5), sigma, options);
+    options.sigma = 0.1;
+    const CurveFit wanted = fit_curve(without(clean, rows), {}, options);
+    EXPECT_EQ(made.report.coefficients, wanted.report.coefficients);
+    EXPECT_TRUE(made.report.rejected.empty());
 }
 
 }  // namespace fit_curve_test

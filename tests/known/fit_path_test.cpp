@@ -27,7 +27,7 @@ void expect_path(const std::vector<FitStep>& path, const nlohmann::json& referen
         const auto& step = reference[i];
         EXPECT_EQ(path[i].intervals, step["n"].get<int>());
         EXPECT_NEAR(path[i].delta2 / step["delta2"].get<double>(), 1, 1e-9) << i;
-        EXPECT_NEAR(path[i].sigma2 / step["sigma2"].get<double>(), 1, 1e-9) << i;
+        EXPECT_NEAR(*path[i].sigma2 / step["sigma2"].get<double>(), 1, 1e-9) << i;
         EXPECT_NEAR(path[i].aic / step["aic"].get<double>(), 1, 1e-9) << i;
         if (step.contains("psi")) {
             EXPECT_EQ(path[i].psi, step["psi"].get<std::vector<double>>()) << i;

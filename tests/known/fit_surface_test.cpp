@@ -47,7 +47,7 @@ void expect_path(const SurfaceFit& made, const json& want) {
         EXPECT_EQ(path[i].intervals[0], history[i][0].get<int>());
         EXPECT_EQ(path[i].intervals[1], history[i][1].get<int>());
         EXPECT_NEAR(path[i].delta2, history[i][2].get<double>(), 1e-9 * path[i].delta2);
-        EXPECT_NEAR(path[i].sigma2, history[i][3].get<double>(), 1e-9 * path[i].sigma2);
+        EXPECT_NEAR(*path[i].sigma2, history[i][3].get<double>(), 1e-9 * *path[i].sigma2);
         EXPECT_NEAR(path[i].aic, history[i][4].get<double>(), 1e-9 * path[i].aic);
         for (std::size_t w = 0; w < 4; ++w) {
             EXPECT_NEAR(path[i].psi[w], history[i][5][w].get<double>(), 0.51e-4);

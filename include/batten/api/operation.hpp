@@ -58,7 +58,7 @@ struct PointsInput {
     std::vector<SharedNumbers> shared_columns = {};  ///< or one for each column of the table
 };
 
-/// What an operation works on. A grid is a table, rows or a picture: the bytes of a file, since the
+/// What an operation works on. A grid is a table, rows or a picture: a file or its bytes, since the
 /// options tell how to read them, or heights that are read.
 enum class InputKind {
     points, curve, points_or_curve, table, none, grid, surface, curve_or_surface, any
@@ -92,9 +92,14 @@ constexpr bool takes_rows(InputKind kind) {
            kind == InputKind::table || kind == InputKind::grid || kind == InputKind::any;
 }
 
+/// A file that is not read yet: larger than `most_bytes`, or to be read in blocks.
+struct StoredFile {
+    std::string path;
+};
+
 struct Input {
     std::string name;  ///< for errors and legends: the file's name, or what the caller calls it
-    std::variant<PointsInput, Curve, Source, GridFile, Surface> content;
+    std::variant<PointsInput, Curve, Source, GridFile, Surface, StoredFile> content;
 };
 
 /// Rows of named columns.

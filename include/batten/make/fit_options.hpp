@@ -9,6 +9,7 @@
 #include "batten/base/fields.hpp"
 #include "batten/base/progress.hpp"
 #include "batten/base/tolerance.hpp"
+#include "batten/make/stop_rule.hpp"
 
 namespace batten {
 
@@ -27,27 +28,6 @@ constexpr std::array<Named<KnotPlacement>, 5> names_of(KnotPlacement) {
              {"given", KnotPlacement::given},
              {"free", KnotPlacement::free},
              {"pruned", KnotPlacement::pruned}}};
-}
-
-/// How the number of intervals is decided.
-enum class StopRule {
-    bic,           ///< least delta2 + p ln N (sigma known), N ln(delta2 / N) + p ln N (unknown)
-    distribution,  ///< first with psi_i >= phi_i for all i: the paper's rule
-    chi2,          ///< first with delta2 <= the 95 % point of chi-square with N - p degrees
-    aic,           ///< least N ln delta2 + 2 p, the paper's
-    aicc,          ///< least aic + 2 p (p + 1) / (N - p - 1)
-    gcv,           ///< least N delta2 / (N - p)^2
-    none,          ///< as many as `intervals` asks for, or as can be
-};
-
-constexpr std::array<Named<StopRule>, 7> names_of(StopRule) {
-    return {{{"bic", StopRule::bic},
-             {"distribution", StopRule::distribution},
-             {"chi2", StopRule::chi2},
-             {"aic", StopRule::aic},
-             {"aicc", StopRule::aicc},
-             {"gcv", StopRule::gcv},
-             {"none", StopRule::none}}};
 }
 
 /// What is done about outliers.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "batten/base/fields.hpp"
+#include "batten/make/fit_statistics.hpp"
 
 namespace batten {
 
@@ -21,24 +22,15 @@ constexpr std::array<Named<SigmaSource>, 4> names_of(SigmaSource) {
 }
 
 /// One step on the way to the final number of intervals.
-struct FitStep {
+struct FitStep : FitCriteria {
     int intervals = 0;
-    double delta2 = 0;
-    double sigma2 = 0;
-    double aic = 0;
-    double bic = 0;
-    double aicc = 0;
-    double gcv = 0;
     std::vector<double> psi;  ///< listed up to 20,000 samples, or where the rule asks for it
 };
 
 template <class Visit>
 void visit_fields(const FitStep& r, Visit&& visit) {
     visit("intervals", r.intervals, "number of intervals");
-    visit("delta2", r.delta2, "weighted sum of squared residuals");
-    visit("sigma2", r.sigma2, "delta2 / (N - p)");
-    visit("aic", r.aic, "N ln delta2 + 2 p");
-    visit("bic", r.bic, "the criterion bic");
+    visit_fields(static_cast<const FitCriteria&>(r), visit);
     visit("psi", r.psi, "shares of the residuals within 1, 2, ... 10 sigma");
 }
 
@@ -54,16 +46,10 @@ void visit_fields(const FitBand& r, Visit&& visit) {
     visit("upper", r.upper, "upper edge");
 }
 
-struct FitReport {
+struct FitReport : FitCriteria {
     int intervals = 0;
     int parameters = 0;
     int parameters_charged = 0;
-    double delta2 = 0;
-    std::optional<double> sigma2;
-    double aic = 0;
-    double bic = 0;
-    double aicc = 0;
-    double gcv = 0;
     std::optional<double> chi2_p;
     std::optional<double> runs_p;
     std::vector<double> psi;
@@ -89,12 +75,7 @@ void visit_fields(const FitReport& r, Visit&& visit) {
     visit("intervals", r.intervals, "n: inner knots, counted with their multiplicity, and 1");
     visit("parameters", r.parameters, "p: number of coefficients, the paper's count");
     visit("parameters_charged", r.parameters_charged, "p and the knots that were moved");
-    visit("delta2", r.delta2, "weighted sum of squared residuals");
-    visit("sigma2", r.sigma2, "delta2 / (N - p); none where N = p");
-    visit("aic", r.aic, "N ln delta2 + 2 p");
-    visit("bic", r.bic, "delta2 + p ln N with sigma known, N ln(delta2 / N) + p ln N without");
-    visit("aicc", r.aicc, "aic + 2 p (p + 1) / (N - p - 1)");
-    visit("gcv", r.gcv, "N delta2 / (N - p)^2");
+    visit_fields(static_cast<const FitCriteria&>(r), visit);
     visit("chi2_p", r.chi2_p, "probability of a larger delta2 if the errors are as stated");
     visit("runs_p", r.runs_p, "probability of fewer changes of sign in the residuals by chance");
     visit("psi", r.psi, "shares of the residuals within 1, 2, ... 10 sigma");

@@ -13,12 +13,23 @@ enum class SigmaKnowledge { known, unknown };
 
 /// The numbers that compare fits with different numbers of parameters.
 struct FitCriteria {
+    double delta2 = 0;             ///< weighted sum of squared residuals
     std::optional<double> sigma2;  ///< delta2 / (N - p); nothing where N = p
     double aic = 0;                ///< N ln delta2 + 2 p [Hatano, eq. 2.7]
     double aicc = 0;               ///< aic + 2 p (p + 1) / (N - p - 1); aic where N <= p + 1
     double bic = 0;   ///< delta2 + p ln N (known), N ln(delta2 / N) + p ln N (unknown)
     double gcv = 0;   ///< N delta2 / (N - p)^2 [CravenWahba1979]; delta2 where N = p
 };
+
+template <class Visit>
+void visit_fields(const FitCriteria& r, Visit&& visit) {
+    visit("delta2", r.delta2, "weighted sum of squared residuals");
+    visit("sigma2", r.sigma2, "delta2 / (N - p); none where N = p");
+    visit("aic", r.aic, "N ln delta2 + 2 p");
+    visit("bic", r.bic, "delta2 + p ln N with sigma known, N ln(delta2 / N) + p ln N without");
+    visit("aicc", r.aicc, "aic + 2 p (p + 1) / (N - p - 1)");
+    visit("gcv", r.gcv, "N delta2 / (N - p)^2");
+}
 
 /// `samples` N >= `parameters` p >= 1, delta2 >= 0. The logarithm of a delta2 of 0 is taken as that
 /// of the smallest positive double.

@@ -12,15 +12,9 @@
 namespace batten {
 
 /// One step on the way to the final numbers of strips.
-struct SurfaceStep {
+struct SurfaceStep : FitCriteria {
     std::array<int, 2> intervals{};
     int parameters = 0;
-    double delta2 = 0;
-    double sigma2 = 0;
-    double aic = 0;
-    double bic = 0;
-    double aicc = 0;
-    double gcv = 0;
     std::vector<double> psi;
 };
 
@@ -28,10 +22,7 @@ template <class Visit>
 void visit_fields(const SurfaceStep& r, Visit&& visit) {
     visit("intervals", r.intervals, "numbers of strips in x and y");
     visit("parameters", r.parameters, "number of coefficients");
-    visit("delta2", r.delta2, "weighted sum of squared residuals");
-    visit("sigma2", r.sigma2, "delta2 / (N - p)");
-    visit("aic", r.aic, "N ln delta2 + 2 p");
-    visit("bic", r.bic, "the criterion bic");
+    visit_fields(static_cast<const FitCriteria&>(r), visit);
     visit("psi", r.psi, "shares of the residuals within 1, 2, ... 10 sigma");
 }
 
@@ -47,16 +38,10 @@ void visit_fields(const Separability& r, Visit&& visit) {
     visit("product", r.product, "share of the surface's sum of squares beyond u(x) v(y)");
 }
 
-struct FitSurfaceReport {
+struct FitSurfaceReport : FitCriteria {
     std::array<int, 2> intervals{};
     int parameters = 0;
     int parameters_charged = 0;
-    double delta2 = 0;
-    std::optional<double> sigma2;
-    double aic = 0;
-    double bic = 0;
-    double aicc = 0;
-    double gcv = 0;
     std::optional<double> chi2_p;
     std::vector<double> psi;
     std::vector<double> breaks_x, breaks_y;
@@ -80,12 +65,7 @@ void visit_fields(const FitSurfaceReport& r, Visit&& visit) {
     visit("intervals", r.intervals, "numbers of strips in x and y");
     visit("parameters", r.parameters, "p: number of coefficients");
     visit("parameters_charged", r.parameters_charged, "p and the knot lines that were moved");
-    visit("delta2", r.delta2, "weighted sum of squared residuals");
-    visit("sigma2", r.sigma2, "delta2 / (N - p); none where N = p");
-    visit("aic", r.aic, "N ln delta2 + 2 p");
-    visit("bic", r.bic, "delta2 + p ln N with sigma known, N ln(delta2 / N) + p ln N without");
-    visit("aicc", r.aicc, "aic + 2 p (p + 1) / (N - p - 1)");
-    visit("gcv", r.gcv, "N delta2 / (N - p)^2");
+    visit_fields(static_cast<const FitCriteria&>(r), visit);
     visit("chi2_p", r.chi2_p, "probability of a larger delta2 if the errors are as stated");
     visit("psi", r.psi, "shares of the residuals within 1, 2, ... 10 sigma");
     visit("breaks_x", r.breaks_x, "distinct knots in x, both ends included");

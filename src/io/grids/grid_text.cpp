@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "batten/base/text.hpp"
+#include "io/grids/grid_cells.hpp"
 #include "io/grids/readers.hpp"
 #include "io/tables/text_rows.hpp"
 #include "io/tables/utf8.hpp"
@@ -41,63 +42,25 @@ std::vector<TextRow> rows_of(std::string_view bytes, const std::string& source) 
     return rows;
 }
 
-std::string place_of(const std::string& source, const TextRow& row, std::size_t column) {
-    return source + " row " + std::to_string(row.line) + ", column " + std::to_string(column + 1);
+void require_row_width(const std::string& source, const TextRow& row, std::size_t width) {
+    require_width(row.cells.size(), width, source, row.line);
 }
 
-/// A finite number; an axis has no missing cells.
-double axis_number(const std::string& source, const TextRow& row, std::size_t column) {
-    const std::optional<double> value = parse_number(row.cells[column]);
-    if (value && std::isfinite(*value)) return *value;
-    throw Error("grid.axis", place_of(source, row, column),
-                row.cells[column].empty() ? "empty" : utf8::shown(row.cells[column]),
-                "the places of a grid's lines must be finite numbers");
+double axis_cell(const std::string& source, const TextRow& row, std::size_t column) {
+    return axis_number(row.cells[column], {source, row.line, column});
 }
 
-/// A height, or nothing where it is missing.
-std::optional<double> height(const std::string& source, const TextRow& row, std::size_t column) {
-    const std::string& cell = row.cells[column];
-    if (cell.empty() || cell == "NA" || cell == "-") return std::nullopt;
-    const std::optional<double> value = parse_number(cell);
-    if (!value || std::isinf(*value)) {
-        throw Error("grid.cell", place_of(source, row, column), utf8::shown(cell),
-                    "a height must be a finite number, NaN or empty");
-    }
-    if (std::isnan(*value)) return std::nullopt;
-    return value;
-}
-
-void require_width(const std::string& source, const TextRow& row, std::size_t width) {
-    if (row.cells.size() == width) return;
-    throw Error("grid.ragged", source + " row " + std::to_string(row.line),
-                std::to_string(row.cells.size()) + " columns",
-                "every row must have " + std::to_string(width) + " columns, like the first");
-}
-
-bool is_number(const std::string& cell) { return parse_number(cell).has_value(); }
-
-/// The places of the lines in rising order: order[k] is the given index of line k.
-std::vector<std::size_t> rising(const std::vector<double>& given, const std::string& source,
-                                const char* axis) {
-    std::vector<std::size_t> order(given.size());
-    const bool falls = given.size() > 1 && given[1] < given[0];
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = falls ? order.size() - 1 - i : i;
-    for (std::size_t i = 1; i < order.size(); ++i) {
-        if (given[order[i - 1]] < given[order[i]]) continue;
-        const std::size_t at = falls ? order[i - 1] : order[i];
-        throw Error("grid.axis", source + ", axis " + axis, format_number(given[at]),
-                    "the lines of a grid must rise or fall throughout");
-    }
-    return order;
+std::optional<double> height_cell(const std::string& source, const TextRow& row, std::size_t column) {
+    return height(row.cells[column], {source, row.line, column});
 }
 
 GridFile table_form(const std::vector<TextRow>& rows, const std::string& source) {
     const std::size_t width = rows.front().cells.size();
     std::vector<double> x, y;
-    for (std::size_t j = 1; j < width; ++j) y.push_back(axis_number(source, rows.front(), j));
+    for (std::size_t j = 1; j < width; ++j) y.push_back(axis_cell(source, rows.front(), j));
     for (std::size_t i = 1; i < rows.size(); ++i) {
-        require_width(source, rows[i], width);
-        x.push_back(axis_number(source, rows[i], 0));
+        require_row_width(source, rows[i], width);
+        x.push_back(axis_cell(source, rows[i], 0));
     }
     const std::vector<std::size_t> x_order = rising(x, source, "x"), y_order = rising(y, source, "y");
     GridFile file;
@@ -107,7 +70,7 @@ GridFile table_form(const std::vector<TextRow>& rows, const std::string& source)
     for (std::size_t i = 0; i < x.size(); ++i) {
         for (std::size_t j = 0; j < y.size(); ++j) {
             const std::optional<double> value =
-                height(source, rows[x_order[i] + 1], y_order[j] + 1);
+                height_cell(source, rows[x_order[i] + 1], y_order[j] + 1);
             if (value) file.z(i, j) = *value;
             else file.z.drop(i, j);
         }
@@ -161,9 +124,9 @@ GridFile long_form(const std::vector<TextRow>& rows, bool has_names, const std::
     const std::size_t width = rows.front().cells.size(), first = has_names ? 1 : 0;
     std::vector<double> x, y;
     for (std::size_t i = first; i < rows.size(); ++i) {
-        require_width(source, rows[i], width);
-        x.push_back(axis_number(source, rows[i], columns.x));
-        y.push_back(axis_number(source, rows[i], columns.y));
+        require_row_width(source, rows[i], width);
+        x.push_back(axis_cell(source, rows[i], columns.x));
+        y.push_back(axis_cell(source, rows[i], columns.y));
     }
     GridFile file;
     file.x = distinct_sorted(x);
@@ -187,14 +150,14 @@ GridFile long_form(const std::vector<TextRow>& rows, bool has_names, const std::
             throw refuse("row " + std::to_string(row.line) + " repeats a node");
         }
         seen[i * file.y.size() + j] = 1;
-        const std::optional<double> value = height(source, row, columns.f);
+        const std::optional<double> value = height_cell(source, row, columns.f);
         if (value) file.z(i, j) = *value;
         else file.z.drop(i, j);
         if (columns.sigma) {
             const std::optional<double> sigma = parse_number(row.cells[*columns.sigma]);
             const bool is_good = sigma && *sigma > 0;
             if (value && !is_good) {
-                throw Error("fit.sigma", place_of(source, row, *columns.sigma),
+                throw Error("fit.sigma", CellPlace{source, row.line, *columns.sigma}.text(),
                             utf8::shown(row.cells[*columns.sigma]), "errors must be above 0");
             }
             if (is_good) file.sigma[i * file.y.size() + j] = *sigma;
@@ -208,10 +171,11 @@ GridFile long_form(const std::vector<TextRow>& rows, bool has_names, const std::
 GridFile read_text(std::string_view bytes, const std::string& source) {
     const std::vector<TextRow> rows = rows_of(bytes, source);
     const std::vector<std::string>& first = rows.front().cells;
-    const bool has_numbers = std::any_of(first.begin(), first.end(), is_number);
-    const bool is_long = !has_numbers || ((first.size() == 3 || first.size() == 4) &&
-                                          std::all_of(first.begin(), first.end(), is_number));
-    return is_long ? long_form(rows, !has_numbers, source) : table_form(rows, source);
+    if (!is_long_form(first)) return table_form(rows, source);
+    const bool has_names = std::none_of(first.begin(), first.end(), [](const std::string& cell) {
+        return parse_number(cell).has_value();
+    });
+    return long_form(rows, has_names, source);
 }
 
 }  // namespace batten::grids

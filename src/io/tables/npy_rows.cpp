@@ -1,3 +1,4 @@
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -12,22 +13,13 @@
 namespace batten::tables {
 namespace {
 
-/// What the header of a NumPy file declares [NumPyFormat].
-struct Header {
-    char kind = 'f';  ///< f float, i integer, u integer without sign
-    std::size_t width = 8;
-    bool is_big_endian = false;
-    bool is_fortran = false;
-    std::vector<std::size_t> shape;
-};
-
 /// Reads the header, a literal of Python: {'descr': '<f8', 'fortran_order': False, 'shape': (3, 2)}
 class HeaderReader {
 public:
     HeaderReader(std::string_view text, const std::string& source) : rest_(text), source_(source) {}
 
-    Header read() {
-        Header header;
+    NpyHeader read() {
+        NpyHeader header;
         bool has_type = false, has_order = false, has_shape = false;
         need('{');
         while (!take('}')) {
@@ -55,7 +47,7 @@ public:
     }
 
 private:
-    void type(Header& header) {
+    void type(NpyHeader& header) {
         const std::string_view start = trimmed(rest_);
         const std::string_view name = !start.empty() && start[0] == '[' ? start : quoted();
         const std::optional<long long> width =
@@ -130,12 +122,9 @@ private:
     const std::string& source_;
 };
 
-struct Body {
-    Header header;
-    std::string_view bytes;
-};
+}  // namespace
 
-Body parts(std::string_view bytes, const std::string& source) {
+NpyHeader read_npy_header(std::string_view bytes, const std::string& source) {
     const auto byte = [&](std::size_t i) {
         return static_cast<std::size_t>(static_cast<unsigned char>(bytes[i]));
     };
@@ -154,10 +143,14 @@ Body parts(std::string_view bytes, const std::string& source) {
     std::size_t size = byte(8) | byte(9) << 8;
     if (is_long) size |= byte(10) << 16 | byte(11) << 24;
     if (size > bytes.size() - start) throw fail("end of file", "the header is cut short");
-    return {HeaderReader(bytes.substr(start, size), source).read(), bytes.substr(start + size)};
+    NpyHeader header = HeaderReader(bytes.substr(start, size), source).read();
+    header.end = start + size;
+    return header;
 }
 
-double number_at(const char* bytes, const Header& header) {
+namespace {
+
+double number_at(const char* bytes, const NpyHeader& header) {
     std::uint64_t bits = 0;
     for (std::size_t i = 0; i < header.width; ++i) {
         const std::size_t from = header.is_big_endian ? i : header.width - 1 - i;
@@ -179,21 +172,21 @@ double number_at(const char* bytes, const Header& header) {
     return x;
 }
 
-/// Throws unless the body holds rows x columns numbers; divides, so that nothing overflows.
-void require_body(const Body& body, std::size_t rows, std::size_t columns,
-                  const std::string& source) {
-    const std::size_t held = body.bytes.size() / body.header.width;
-    if (rows <= held / columns) return;
-    throw Error("npy.truncated", source, std::to_string(body.bytes.size()) + " bytes",
+/// Throws unless so many bytes hold rows x columns numbers; divides, so that nothing overflows.
+void require_numbers(const NpyHeader& header, std::uint64_t bytes, std::size_t rows,
+                     std::size_t columns, const std::string& source) {
+    if (rows <= bytes / header.width / columns) return;
+    throw Error("npy.truncated", source, std::to_string(bytes) + " bytes",
                 std::to_string(rows) + " x " + std::to_string(columns) + " numbers of " +
-                    std::to_string(body.header.width) + " bytes are declared");
+                    std::to_string(header.width) + " bytes are declared");
 }
 
 }  // namespace
 
 Table read_npy(std::string_view bytes, const std::string& source) {
-    const Body body = parts(bytes, source);
-    const std::vector<std::size_t>& shape = body.header.shape;
+    const NpyHeader header = read_npy_header(bytes, source);
+    const std::string_view body = bytes.substr(header.end);
+    const std::vector<std::size_t>& shape = header.shape;
     const bool is_table = shape.size() == 1 || (shape.size() == 2 && shape[1] <= most_columns);
     if (!is_table) {
         std::string text;
@@ -205,7 +198,7 @@ Table read_npy(std::string_view bytes, const std::string& source) {
     const std::size_t rows = shape[0];
     const std::size_t columns = shape.size() == 2 ? shape[1] : 1;
     if (rows == 0 || columns == 0) throw no_rows(source);
-    require_body(body, rows, columns, source);
+    require_numbers(header, body.size(), rows, columns, source);
     Table table;
     table.source = source;
     table.bad.resize(columns);
@@ -213,8 +206,8 @@ Table read_npy(std::string_view bytes, const std::string& source) {
     for (std::size_t i = 0; i < rows; ++i) {
         table.line_of_row.push_back(static_cast<int>(i) + 1);
         for (std::size_t k = 0; k < columns; ++k) {
-            const std::size_t place = body.header.is_fortran ? k * rows + i : i * columns + k;
-            const double x = number_at(body.bytes.data() + place * body.header.width, body.header);
+            const std::size_t place = header.is_fortran ? k * rows + i : i * columns + k;
+            const double x = number_at(body.data() + place * header.width, header);
             table.cells(i, static_cast<int>(k)) =
                 std::isfinite(x) ? x : table.mark_bad(k, x, {i, format_number(x)});
         }
@@ -222,22 +215,41 @@ Table read_npy(std::string_view bytes, const std::string& source) {
     return table;
 }
 
-NpyGrid read_npy_grid(std::string_view bytes, const std::string& source) {
-    const Body body = parts(bytes, source);
-    const std::vector<std::size_t>& shape = body.header.shape;
+void require_npy_grid(const NpyHeader& header, std::uint64_t bytes, const std::string& source) {
+    const std::vector<std::size_t>& shape = header.shape;
     if (shape.size() != 2 || shape[0] == 0 || shape[1] == 0) {
         throw Error("npy.shape", source, std::to_string(shape.size()) + " dimensions",
                     "a grid is an array of two dimensions that holds something");
     }
-    require_body(body, shape[0], shape[1], source);
-    NpyGrid grid{shape[0], shape[1], std::vector<double>(shape[0] * shape[1])};
-    for (std::size_t i = 0; i < grid.rows; ++i) {
-        for (std::size_t k = 0; k < grid.columns; ++k) {
-            const std::size_t place =
-                body.header.is_fortran ? k * grid.rows + i : i * grid.columns + k;
-            grid.values[i * grid.columns + k] =
-                number_at(body.bytes.data() + place * body.header.width, body.header);
-        }
+    require_numbers(header, bytes, shape[0], shape[1], source);
+}
+
+void npy_numbers(const NpyHeader& header, const char* bytes, std::span<double> out) {
+    const bool is_native = header.kind == 'f' && header.width == sizeof(double) &&
+                           header.is_big_endian == (std::endian::native == std::endian::big);
+    if (is_native) {
+        std::memcpy(out.data(), bytes, out.size_bytes());
+        return;
+    }
+    for (double& x : out) {
+        x = number_at(bytes, header);
+        bytes += header.width;
+    }
+}
+
+NpyGrid read_npy_grid(std::string_view bytes, const std::string& source) {
+    const NpyHeader header = read_npy_header(bytes, source);
+    require_npy_grid(header, bytes.size() - header.end, source);
+    const std::size_t rows = header.shape[0], columns = header.shape[1];
+    NpyGrid grid{rows, columns, std::vector<double>(rows * columns)};
+    if (!header.is_fortran) {
+        npy_numbers(header, bytes.data() + header.end, grid.values);
+        return grid;
+    }
+    std::vector<double> line(rows);
+    for (std::size_t k = 0; k < columns; ++k) {
+        npy_numbers(header, bytes.data() + header.end + k * rows * header.width, line);
+        for (std::size_t i = 0; i < rows; ++i) grid.values[i * columns + k] = line[i];
     }
     return grid;
 }

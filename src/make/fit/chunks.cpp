@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 
 #include "batten/base/error.hpp"
@@ -6,27 +5,12 @@
 #include "batten/make/fit_chunks.hpp"
 #include "make/fit/finish.hpp"
 #include "make/fit/knot_choice.hpp"
+#include "make/fit/whitney.hpp"
 
 namespace batten {
 namespace {
 
 using namespace fitting;
-
-/// Adds to the distinct abscissae known of one interval, as many as Schoenberg-Whitney can use:
-/// order inside, and both ends.
-void remember(std::vector<double>& places, std::span<const double> x, Interval span,
-              std::size_t order) {
-    const auto is_end = [&](double p) { return p == span.lo || p == span.hi; };
-    std::size_t inside = 0;
-    for (const double p : places) inside += !is_end(p);
-    for (const double p : x) {
-        if (inside >= order && !is_end(p)) continue;
-        if (std::find(places.begin(), places.end(), p) != places.end()) continue;
-        places.push_back(p);
-        inside += !is_end(p);
-    }
-    std::sort(places.begin(), places.end());
-}
 
 /// A stand-in for samples where there are only triangles.
 Samples no_samples() {
@@ -77,8 +61,8 @@ void FitChunk::add(const FitSamples& given, double sigma) {
         if (rows.count() == 0) continue;
         reducer.reduce(rows, span, Rest::wanted, fresh.data());
         reducer.merge(fresh.data(), span, span, triangles_.data() + i * size);
-        remember(places_[i], samples.x.subspan(rows.first, rows.count()), span,
-                 static_cast<std::size_t>(degree_) + 1);
+        remember_places(places_[i], samples.x.subspan(rows.first, rows.count()), span,
+                        static_cast<std::size_t>(degree_) + 1);
     }
     samples_ += samples.size();
 }
@@ -96,7 +80,8 @@ void FitChunk::merge(const FitChunk& other) {
     for (std::size_t i = 0; i < spans.size(); ++i) {
         const Interval span{knots_[spans[i]], knots_[spans[i] + 1]};
         reducer.merge(other.triangles_.data() + i * size, span, span, triangles_.data() + i * size);
-        remember(places_[i], other.places_[i], span, static_cast<std::size_t>(degree_) + 1);
+        remember_places(places_[i], other.places_[i], span,
+                        static_cast<std::size_t>(degree_) + 1);
     }
     samples_ += other.samples_;
 }

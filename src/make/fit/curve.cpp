@@ -1,20 +1,20 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
 #include "batten/make/fit_curve.hpp"
+#include "make/fit/curve_search.hpp"
 #include "make/fit/finish.hpp"
+#include "make/fit/isolated.hpp"
 #include "make/fit/knot_choice.hpp"
 #include "make/fit/shape_limits.hpp"
-#include "make/interpolate/chords.hpp"
 
 namespace batten {
 namespace {
 
 using namespace fitting;
-
-constexpr double gain_enough = 1e-4;  // of delta2, to correct the parameters once more
 
 void refuse_unless(bool is_good, const char* option) {
     if (is_good) return;
@@ -23,9 +23,7 @@ void refuse_unless(bool is_good, const char* option) {
 
 void require_curve_options(const FitOptions& o) {
     require_options(o);
-    refuse_unless(o.robust == Robust::none, "robust");
     refuse_unless(o.stop != StopRule::distribution, "stop");
-    refuse_unless(o.knots != KnotPlacement::free && o.knots != KnotPlacement::pruned, "knots");
     refuse_unless(!o.tolerance, "tolerance");
     refuse_unless(o.sigma_model.empty(), "sigma_model");
     refuse_unless(!has_limits(o), "limits");
@@ -33,165 +31,7 @@ void require_curve_options(const FitOptions& o) {
     refuse_unless(o.degree > 0, "degree");
 }
 
-/// Points by coordinate, their parameters and errors.
-class Problem {
-public:
-    Problem(PointsView points, std::span<const double> sigma, const FitOptions& options)
-        : ends_(ends_of(options)), work_(options.progress) {
-        const interpolation::Chords chords =
-            interpolation::chords_with_repeats(points, options.closed);
-        columns_.resize(static_cast<std::size_t>(points.dim()));
-        double sum = 0;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            for (std::size_t s = 0; s < columns_.size(); ++s) {
-                columns_[s].push_back(points(i, static_cast<int>(s)));
-            }
-            t_.push_back(sum);
-            if (i < chords.lengths.size()) sum += chords.lengths[i];
-        }
-        if (!(sum > 0)) {
-            throw Error("points.all-equal", "points", std::to_string(points.size()),
-                        "a curve needs two different points");
-        }
-        domain_ = {0, sum};
-        choose_sigma(sigma, options);
-        double largest = 0;
-        for (const double x : points.coordinates()) largest = std::max(largest, std::fabs(x));
-        require_units(samples(), largest, options.degree);
-        if (source_ == SigmaSource::estimated) {
-            Samples some = samples();
-            estimate_sigma(some, noise(), largest);
-            common_ = some.common_sigma;
-            least_delta2_ = some.least_delta2;
-        }
-    }
-
-    const std::vector<double>& parameters() const { return t_; }
-    SigmaSource source() const { return source_; }
-    std::optional<double> common_sigma() const {
-        return sigma_.empty() ? std::optional(common_) : std::nullopt;
-    }
-
-    /// What a fit works on; valid until the parameters change.
-    Samples samples() const {
-        Samples result;
-        result.x = t_;
-        for (const auto& column : columns_) result.sides.emplace_back(column);
-        result.sigma = sigma_;
-        result.common_sigma = common_;
-        result.source = source_;
-        result.sigma_known = source_ != SigmaSource::estimated;
-        result.range = domain_;
-        result.least_delta2 = least_delta2_;
-        result.work = work_;
-        return result;
-    }
-
-    void restore(std::vector<double> t) { t_ = std::move(t); }
-
-    /// Moves every parameter one Newton step towards the foot of its point.
-    void correct(const std::vector<SplineFunction>& curve) {
-        const std::size_t n = t_.size();
-        const bool is_open = ends_ == Ends::open;
-        for (std::size_t i = is_open ? 1 : 0; i + (is_open ? 1 : 0) < n; ++i) {
-            double slope = 0, bend = 0, speed_sq = 0;
-            for (std::size_t s = 0; s < curve.size(); ++s) {
-                const double off = curve[s](t_[i]) - columns_[s][i], d = curve[s](t_[i], 1);
-                slope += off * d;
-                speed_sq += d * d;
-                bend += d * d + off * curve[s](t_[i], 2);
-            }
-            if (speed_sq == 0) continue;
-            // Where the point lies beyond the centre of curvature, the step of Gauss and Newton.
-            const double step = -slope / (bend > 0.5 * speed_sq ? bend : speed_sq);
-            t_[i] = domain_.clamp(t_[i] + step);
-        }
-        for (std::size_t i = 1; i < n; ++i) t_[i] = std::max(t_[i], t_[i - 1]);
-    }
-
-private:
-    void choose_sigma(std::span<const double> sigma, const FitOptions& options) {
-        if (!sigma.empty()) {
-            sigma_.assign(sigma.begin(), sigma.end());
-            source_ = SigmaSource::column;
-        } else if (options.sigma) {
-            if (!(*options.sigma > 0 && std::isfinite(*options.sigma))) {
-                throw Error("fit.sigma", "sigma", format_number(*options.sigma),
-                            "must be above 0 and finite");
-            }
-            common_ = *options.sigma;
-            source_ = SigmaSource::number;
-        }
-        for (std::size_t i = 0; i < sigma_.size(); ++i) {
-            if (sigma_[i] > 0 && std::isfinite(sigma_[i])) continue;
-            throw Error("fit.sigma", "row " + std::to_string(i) + ", column sigma",
-                        format_number(sigma_[i]), "errors must be above 0 and finite", {i});
-        }
-    }
-
-    /// Of one coordinate, from differences of neighbours.
-    double noise() const {
-        double sum = 0;
-        for (const auto& column : columns_) {
-            const double one = noise_from_differences(t_, column);
-            sum += one * one;
-        }
-        return std::sqrt(sum / static_cast<double>(columns_.size()));
-    }
-
-    Ends ends_;
-    Interval domain_;
-    std::vector<std::vector<double>> columns_;
-    std::vector<double> t_, sigma_;
-    double common_ = 1, least_delta2_ = 0;
-    Work work_;
-    SigmaSource source_ = SigmaSource::estimated;
-};
-
-std::vector<SplineFunction> coordinates_of(const FixedFit& fixed, std::size_t dim) {
-    std::vector<SplineFunction> result;
-    for (std::size_t s = 0; s < dim; ++s) result.push_back(spline_of(fixed, static_cast<int>(s)));
-    return result;
-}
-
-ResidualTally tally_all(const Samples& samples, const std::vector<SplineFunction>& curve) {
-    ResidualTally all;
-    for (std::size_t s = 0; s < curve.size(); ++s) {
-        const ResidualTally one = tally(samples, curve[s], static_cast<int>(s));
-        all.delta2 += one.delta2;
-        for (std::size_t w = 0; w < all.psi.size(); ++w) {
-            all.psi[w] += one.psi[w] / static_cast<double>(curve.size());
-        }
-        all.max_residual = std::max(all.max_residual, one.max_residual);
-        all.runs += one.runs;
-        all.positive += one.positive;
-    }
-    return all;
-}
-
-/// The best of the fits met while parameters are corrected, knots as they are.
-FixedFit corrected(Problem& problem, FixedFit fixed, const LocalBasis& basis,
-                   const FitOptions& options) {
-    const std::size_t dim = problem.samples().sides.size();
-    double best = tally_all(problem.samples(), coordinates_of(fixed, dim)).delta2;
-    for (int round = 0; round < options.corrections && fixed.undetermined.empty(); ++round) {
-        std::vector<double> before = problem.parameters();
-        problem.correct(coordinates_of(fixed, dim));
-        const Samples samples = problem.samples();
-        samples.work.step();
-        FixedFit next = solve_fixed(samples, fixed.knots, basis, ends_of(options));
-        const double delta2 = tally_all(samples, coordinates_of(next, dim)).delta2;
-        if (!next.undetermined.empty() || !(delta2 < best)) {
-            problem.restore(std::move(before));
-            break;
-        }
-        const bool is_enough = best - delta2 <= gain_enough * best;
-        best = delta2;
-        fixed = std::move(next);
-        if (is_enough) break;
-    }
-    return fixed;
-}
+bool is_dropped(double factor) { return std::isinf(factor); }
 
 BSplineCurve curve_of(const FixedFit& fixed, const std::vector<SplineFunction>& coordinates) {
     const std::size_t functions = static_cast<std::size_t>(fixed.functions);
@@ -202,54 +42,39 @@ BSplineCurve curve_of(const FixedFit& fixed, const std::vector<SplineFunction>& 
         }
     }
     const int degree = coordinates[0].degree();
+    const std::span<const double> knots = fixed.knots;
     return coordinates[0].is_closed()
-               ? BSplineCurve(BSplineBasis::periodic(coordinates[0].breaks(), degree),
+               ? BSplineCurve(BSplineBasis::periodic(knots.subspan(fixed.system.order() - 1,
+                                                                   functions + 1),
+                                                     degree),
                               std::move(control))
                : BSplineCurve(BSplineBasis(fixed.knots, degree), std::move(control));
 }
 
-}  // namespace
-
-CurveFit fit_curve(PointsView points, std::span<const double> sigma, const FitOptions& options) {
-    if (points.dim() != 2 && points.dim() != 3) {
-        throw Error("points.dimension", "points", std::to_string(points.dim()) + " coordinates",
-                    "a curve is fitted in the plane or in space");
-    }
-    require_curve_options(options);
-    if (!sigma.empty() && sigma.size() != points.size()) {
-        throw Error("fit.lengths", "sigma", std::to_string(sigma.size()),
-                    "there must be one error a point, " + std::to_string(points.size()));
-    }
-    Problem problem(points, sigma, options);
-    const LocalBasis basis(options.degree + 1);
-    KnotChoice choice = choose_knots(problem.samples(), basis, options);
-    FixedFit fixed = corrected(
-        problem, solve_fixed(problem.samples(), choice.knots, basis, ends_of(options)), basis,
-        options);
-    if (choice.by_data && options.corrections > 0) {
-        choice = choose_knots(problem.samples(), basis, options);
-        fixed = corrected(
-            problem, solve_fixed(problem.samples(), choice.knots, basis, ends_of(options)), basis,
-            options);
-    }
-    const Samples samples = problem.samples();
-    const std::vector<SplineFunction> curve = coordinates_of(fixed, samples.sides.size());
+FitReport report_of(CurveSearch& search) {
+    const Samples used = search.used();
+    const std::vector<SplineFunction> curve = search.curve();
     FitReport report;
-    const ResidualTally residuals = tally_all(samples, curve);
-    fill_criteria(report, fixed,
-                  {residuals.delta2, samples.values(),
-                   samples.sigma_known ? SigmaKnowledge::known : SigmaKnowledge::unknown,
-                   static_cast<int>(curve.size()), samples.least_delta2});
+    const ResidualTally residuals = tally_of(used, curve);
+    fill_criteria(report, search.result().fixed,
+                  {residuals.delta2, used.values(),
+                   used.sigma_known ? SigmaKnowledge::known : SigmaKnowledge::unknown,
+                   static_cast<int>(curve.size()), used.least_delta2});
+    report.parameters_charged += search.choice().moved;
     fill_tally(report, residuals);
     fill_spline(report, curve[0]);
     for (std::size_t s = 1; s < curve.size(); ++s) {
         report.coefficients.insert(report.coefficients.end(), curve[s].coefficients().begin(),
                                    curve[s].coefficients().end());
     }
-    report.sigma_source = problem.source();
-    report.sigma = problem.common_sigma();
-    report.path = std::move(choice.path);
-    report.notes = std::move(choice.notes);
+    report.sigma_source = search.problem().source();
+    report.sigma = search.problem().common_sigma();
+    const std::vector<double>& factors = search.result().factors;
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        if (is_dropped(factors[i])) report.rejected.push_back(i);
+    }
+    report.path = std::move(search.choice().path);
+    report.notes = std::move(search.choice().notes);
     note_what_sigma_hides(report);
     for (const FitStep& step : report.path) {
         const bool is_same = std::fabs(step.bic - report.bic) <= 1e-9 * std::fabs(report.bic);
@@ -257,9 +82,118 @@ CurveFit fit_curve(PointsView points, std::span<const double> sigma, const FitOp
         report.notes.push_back("path: before the last correction of the parameters, bic " +
                                format_number(step.bic) + " here");
     }
-    if (report.status == Status::met && !choice.is_met) report.status = Status::not_met;
-    samples.work.finish();
-    return {curve_of(fixed, curve), problem.parameters(), std::move(report)};
+    if (report.status == Status::met && !search.choice().is_met) report.status = Status::not_met;
+    if (report.status == Status::met && !search.choice().is_converged) {
+        report.status = Status::not_converged;
+    }
+    return report;
+}
+
+void require_curve_points(PointsView points, std::span<const double> sigma,
+                          const FitOptions& options) {
+    if (points.dim() != 2 && points.dim() != 3) {
+        throw Error("points.dimension", "points", std::to_string(points.dim()) + " coordinates",
+                    "a curve is fitted in the plane or in space");
+    }
+    if (!sigma.empty() && sigma.size() != points.size()) {
+        throw Error("fit.lengths", "sigma", std::to_string(sigma.size()),
+                    "there must be one error a point, " + std::to_string(points.size()));
+    }
+    require_finite(points);
+    if (options.sigma && sigma.empty() && !(*options.sigma > 0 && std::isfinite(*options.sigma))) {
+        throw Error("fit.sigma", "sigma", format_number(*options.sigma),
+                    "must be above 0 and finite");
+    }
+    for (std::size_t i = 0; i < sigma.size(); ++i) {
+        if (sigma[i] > 0) continue;
+        throw Error("fit.sigma", "row " + std::to_string(i) + ", column sigma",
+                    format_number(sigma[i]), "errors must be above 0 (inf: no weight)", {i});
+    }
+}
+
+/// Some of the points.
+struct Part {
+    std::vector<std::size_t> rows;
+    Points points;
+    std::vector<double> sigma;  ///< one a point, or empty
+};
+
+Part part_of(PointsView all, std::span<const double> sigma, std::vector<std::size_t> rows) {
+    Part part{std::move(rows), Points(0, all.dim()), {}};
+    for (const std::size_t i : part.rows) {
+        part.points.push_back(all[i]);
+        if (!sigma.empty()) part.sigma.push_back(sigma[i]);
+    }
+    return part;
+}
+
+/// The rows that stand alone, where outliers are to have no weight.
+std::vector<std::size_t> isolated_rows(const Part& part, const FitOptions& options) {
+    std::vector<std::size_t> result;
+    if (options.robust != Robust::reject && options.robust != Robust::tukey) return result;
+    std::vector<double> known = part.sigma;
+    if (known.empty() && options.sigma) known.assign(part.points.size(), *options.sigma);
+    const std::vector<double> factors = isolated_factors(part.points, ends_of(options), known);
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        if (is_dropped(factors[i])) result.push_back(part.rows[i]);
+    }
+    return result;
+}
+
+std::vector<std::size_t> without(const std::vector<std::size_t>& rows,
+                                 const std::vector<std::size_t>& dropped) {
+    std::vector<std::size_t> result;
+    std::set_difference(rows.begin(), rows.end(), dropped.begin(), dropped.end(),
+                        std::back_inserter(result));
+    return result;
+}
+
+/// The parameters of all points: those that took no part where the curve is nearest between
+/// their neighbours.
+std::vector<double> spread(const std::vector<double>& t, const std::vector<std::size_t>& rows,
+                           PointsView points, std::span<const SplineFunction> curve) {
+    constexpr int most_steps = 20;
+    const Interval domain = curve[0].domain();
+    std::vector<double> all(points.size());
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (next < rows.size() && rows[next] == i) {
+            all[i] = t[next++];
+            continue;
+        }
+        const Interval room{next == 0 ? domain.lo : t[next - 1],
+                            next == rows.size() ? domain.hi : t[next]};
+        all[i] = room.middle();
+        for (int step = 0; step < most_steps; ++step) {
+            all[i] = room.clamp(nearer(curve, points[i], all[i]));
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+CurveFit fit_curve(PointsView points, std::span<const double> sigma, const FitOptions& options) {
+    require_curve_points(points, sigma, options);
+    require_curve_options(options);
+    std::vector<std::size_t> rows;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (sigma.empty() || !std::isinf(sigma[i])) rows.push_back(i);
+    }
+    Part part = part_of(points, sigma, std::move(rows));
+    const std::vector<std::size_t> isolated = isolated_rows(part, options);
+    if (!isolated.empty()) part = part_of(points, sigma, without(part.rows, isolated));
+    require_enough(part.points.size(), 2);
+    CurveSearch search(part.points, part.sigma, options);
+    search.run();
+    const std::vector<SplineFunction> curve = search.curve();
+    FitReport report = report_of(search);
+    for (std::size_t& row : report.rejected) row = part.rows[row];
+    report.rejected.insert(report.rejected.end(), isolated.begin(), isolated.end());
+    std::sort(report.rejected.begin(), report.rejected.end());
+    search.problem().samples().work.finish();
+    return {curve_of(search.result().fixed, curve),
+            spread(search.problem().parameters(), part.rows, points, curve), std::move(report)};
 }
 
 }  // namespace batten

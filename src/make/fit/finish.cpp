@@ -20,18 +20,13 @@ void fill_criteria(FitReport& report, const FixedFit& fixed, const Misfit& misfi
                     "is beyond the range of a double");
     }
     const int parameters = misfit.sides * fixed.functions - fixed.fixed_count;
-    const FitCriteria c =
-        fit_criteria(std::max(misfit.delta2, misfit.least), misfit.samples, parameters,
-                     misfit.knowledge);
+    static_cast<FitCriteria&>(report) = fit_criteria(std::max(misfit.delta2, misfit.least),
+                                                     misfit.samples, parameters, misfit.knowledge);
     report.parameters = report.parameters_charged = parameters;
     report.rank = fixed.rank;
     report.undetermined = fixed.undetermined;
     report.samples = misfit.samples;
     report.delta2 = misfit.delta2;
-    report.aic = c.aic;
-    report.bic = c.bic;
-    report.aicc = c.aicc;
-    report.gcv = c.gcv;
     const double degrees = static_cast<double>(misfit.samples) - parameters;
     if (degrees > 0) report.sigma2 = misfit.delta2 / degrees;
     if (misfit.knowledge == SigmaKnowledge::known && degrees > 0) {

@@ -8,6 +8,7 @@
 #include "make/fit/held.hpp"
 #include "make/fit/isolated.hpp"
 #include "make/fit/knot_choice.hpp"
+#include "make/fit/residuals.hpp"
 #include "make/fit/shape_limits.hpp"
 
 namespace batten {
@@ -39,11 +40,10 @@ FinalFit final_fit(const Samples& samples, const LocalBasis& basis, const KnotCh
     FinalFit result{nullptr, solve_fixed(samples, choice.knots, basis, ends), {}};
     result.is_within = limit(result.fixed, options, choice.held);
     if (options.robust == Robust::none) return result;
-    std::vector<double> e(samples.size()), before;
+    std::vector<double> before;
     for (int round = 0; round < most_final_rounds; ++round) {
-        spline_of(result.fixed).evaluate(samples.x, 0, e);
-        for (std::size_t i = 0; i < e.size(); ++i) e[i] = samples.sides[0][i] - e[i];
-        std::vector<double> factors = robust_factors(options.robust, samples, e);
+        std::vector<double> factors = robust_factors(
+            options.robust, samples, residuals_of(samples, splines_of(result.fixed, 1)));
         if (factors == before) break;
         before = std::move(factors);
         auto weighted = std::make_unique<Samples>(reweighted(samples, before));

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "make/fit/samples.hpp"
+#include "batten/base/points.hpp"
+#include "make/fit/knot_system.hpp"
 
 namespace batten::fitting {
 
@@ -15,5 +17,9 @@ namespace batten::fitting {
 /// known it is taken from the median of all.
 /// Cost: O(N), and O(N log N) where sigma is not known.
 std::vector<double> isolated_factors(const Samples& samples);
+
+/// The same of points in order, by their distances from the stretch between their neighbours.
+/// `sigma`: one a point, or empty where not known.
+std::vector<double> isolated_factors(PointsView points, Ends ends, std::span<const double> sigma);
 
 }  // namespace batten::fitting

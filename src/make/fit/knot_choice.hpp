@@ -40,6 +40,9 @@ void require_enough(std::size_t samples, std::size_t functions);
 
 KnotChoice choose_knots(const Samples& samples, const LocalBasis& basis, const FitOptions& options);
 
+/// The same with knots inserted as bic wants them: where the outliers are, and the parameters.
+FitOptions by_insertion(const FitOptions& options);
+
 StopPlan stop_plan(const Samples& samples, const FitOptions& options);
 
 inline Ends ends_of(const FitOptions& options) {

@@ -75,6 +75,12 @@ void KnotSystem::make_block_from(const double* b, const double* triangle, double
 
 void KnotSystem::solve(int functions, std::span<const int> firsts,
                        std::span<const double> blocks) {
+    factor(functions, firsts, blocks);
+    take_solution();
+}
+
+void KnotSystem::factor(int functions, std::span<const int> firsts,
+                        std::span<const double> blocks) {
     functions_ = functions;
     const int border = ends_ == Ends::closed ? std::min(shape_.order - 1, functions) : 0;
     const int columns = functions - border;
@@ -94,7 +100,6 @@ void KnotSystem::solve(int functions, std::span<const int> firsts,
         }
     }
     qr_.finish();
-    take_solution();
 }
 
 void KnotSystem::add_closed(int first, const double* block) {

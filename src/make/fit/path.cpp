@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "batten/shape/spline_function.hpp"
+#include "make/fit/residuals.hpp"
 
 namespace batten::fitting {
 namespace {
@@ -16,8 +17,8 @@ constexpr double charge = 2.25;
 constexpr double least_weight = 0.01;  // of the best alternative's: less is left out
 constexpr double tie = 1e-9;      // relative difference of two criteria that is none
 
-SplineFunction spline_of(const Growth& growth) {
-    const std::span<const double> c = growth.system().coefficients(0);
+SplineFunction spline_of(const Growth& growth, std::size_t side = 0) {
+    const std::span<const double> c = growth.system().coefficients(static_cast<int>(side));
     std::vector<double> values(c.begin(), c.end());
     const int degree = growth.system().order() - 1;
     return growth.ends() == Ends::closed
@@ -25,23 +26,8 @@ SplineFunction spline_of(const Growth& growth) {
                : SplineFunction(growth.knots(), std::move(values), degree);
 }
 
-std::vector<double> residuals_of(const Growth& growth, const Samples& samples) {
-    std::vector<double> e(samples.size());
-    if (&growth.samples() == &samples) {
-        growth.residuals(e);
-        return e;
-    }
-    spline_of(growth).evaluate(samples.x, 0, e);
-    for (std::size_t i = 0; i < e.size(); ++i) e[i] = samples.sides[0][i] - e[i];
-    return e;
-}
-
 int functions_over(int intervals, const Growth& growth) {
     return growth.ends() == Ends::closed ? intervals : intervals + growth.system().order() - 1;
-}
-
-bool is_criterion(StopRule rule) {
-    return rule != StopRule::distribution && rule != StopRule::chi2 && rule != StopRule::none;
 }
 
 /// One search: which steps there were and whether to go on.
@@ -101,7 +87,7 @@ private:
     }
 
     bool reaches_on(const FitStep& step) {
-        const double value = criterion(plan_.rule, step);
+        const double value = criterion_of(step, plan_.rule);
         if (path_.steps.size() == 1 || value < best_) {
             best_ = value;
             best_intervals_ = step.intervals;
@@ -120,14 +106,14 @@ private:
         path_.chosen = path_.steps.size() - 1;
         if (plan_.exactly > 0 || plan_.delta2 > 0 || !is_criterion(plan_.rule)) return;
         for (std::size_t i = path_.steps.size(); i-- > 0;) {
-            if (criterion(plan_.rule, path_.steps[i]) <=
-                criterion(plan_.rule, path_.steps[path_.chosen])) {
+            if (criterion_of(path_.steps[i], plan_.rule) <=
+                criterion_of(path_.steps[path_.chosen], plan_.rule)) {
                 path_.chosen = i;
             }
         }
-        const double least = criterion(plan_.rule, path_.steps[path_.chosen]);
+        const double least = criterion_of(path_.steps[path_.chosen], plan_.rule);
         for (std::size_t i = 0; i < path_.steps.size(); ++i) {
-            const double other = criterion(plan_.rule, path_.steps[i]);
+            const double other = criterion_of(path_.steps[i], plan_.rule);
             if (i == path_.chosen || std::fabs(other - least) > tie * std::fabs(least)) continue;
             path_.notes.push_back("tie: " + std::to_string(path_.steps[i].intervals) + " and " +
                                   std::to_string(path_.steps[path_.chosen].intervals) +
@@ -153,7 +139,7 @@ private:
 
     /// Weights exp(-(misfit + charge p) / 2) of all steps, those that matter refitted.
     void weigh_alternatives() {
-        const double sigma2 = path_.steps[path_.chosen].sigma2;
+        const double sigma2 = path_.steps[path_.chosen].sigma2.value_or(0);
         const double unit = samples_.sigma_known || !(sigma2 > 0) ? 1 : sigma2;
         std::vector<double> values;
         for (const FitStep& step : path_.steps) {
@@ -188,27 +174,20 @@ private:
 
 }  // namespace
 
-double criterion(StopRule rule, const FitStep& step) {
-    switch (rule) {
-        case StopRule::aic: return step.aic;
-        case StopRule::aicc: return step.aicc;
-        case StopRule::gcv: return step.gcv;
-        default: return step.bic;
+std::vector<double> residuals_of(const Growth& growth, const Samples& samples) {
+    if (&growth.samples() == &samples && samples.sides.size() == 1) {
+        std::vector<double> e(samples.size());
+        growth.residuals(e);
+        return e;
     }
+    std::vector<SplineFunction> splines;
+    for (std::size_t s = 0; s < samples.sides.size(); ++s) splines.push_back(spline_of(growth, s));
+    return residuals_of(samples, splines);
 }
 
 FitStep step_of(double delta2, std::size_t samples, int parameters, int intervals,
                 SigmaKnowledge knowledge) {
-    const FitCriteria c = fit_criteria(delta2, samples, parameters, knowledge);
-    FitStep step;
-    step.intervals = intervals;
-    step.delta2 = delta2;
-    step.sigma2 = c.sigma2.value_or(0);
-    step.aic = c.aic;
-    step.bic = c.bic;
-    step.aicc = c.aicc;
-    step.gcv = c.gcv;
-    return step;
+    return {fit_criteria(delta2, samples, parameters, knowledge), intervals, {}};
 }
 
 double robust_refit(Growth& growth, const Samples& samples, Robust robust,

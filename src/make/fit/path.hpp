@@ -30,8 +30,6 @@ struct StopPlan {
     bool wants_psi = false;  ///< list psi of every step
 };
 
-/// The value that `rule` makes least.
-double criterion(StopRule rule, const FitStep& step);
 /// All the numbers of a step.
 FitStep step_of(double delta2, std::size_t samples, int parameters, int intervals,
                 SigmaKnowledge knowledge);
@@ -44,6 +42,9 @@ Path insert_one_by_one(Growth& growth, const Samples& samples, Robust robust,
                        const StopPlan& plan);
 /// The same with intervals of equal length.
 Path equal_intervals(Growth& growth, const Samples& samples, Robust robust, const StopPlan& plan);
+
+/// What is left of the samples by the last refit: see residuals_of in residuals.hpp.
+std::vector<double> residuals_of(const Growth& growth, const Samples& samples);
 
 /// The weights that the residuals of the last refit asked for.
 struct RobustWeights {

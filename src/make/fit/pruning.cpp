@@ -4,17 +4,19 @@
 #include <cmath>
 #include <limits>
 
+#include "make/fit/tree.hpp"
+
 namespace batten::fitting {
 namespace {
 
-constexpr double gain_enough = 0.01;  // of a criterion in which 2 is hardly worth mentioning
-/// Parameters: a coefficient and what its place is worth.
-constexpr double knot_charge = 1.5, corner_charge = 2.5, jump_charge = 3;
+constexpr double cost_gain_enough = 0.01;  // of a criterion in which 2 is hardly worth mentioning
+/// Parameters: what a place is worth, beside a break also its coefficient.
+constexpr double knot_place = 0.5, corner_charge = 2.5, jump_charge = 3;
 constexpr double move_shares[] = {0.5, 0.25, 0.1, 0.03, 0.01};  // of a gap: how far a site is moved
 constexpr int move_samples[] = {1, 2, 4};  // what stands alone, besides
 constexpr int refine_samples[] = {16, 8, 4, 2, 1};
 constexpr int most_replaced = 6;    // knots that a break may stand for
-constexpr double least_gap = 1e-9;  // of the domain: nearer sites are refused
+constexpr double least_site_gap = 1e-9;  // of the domain: nearer sites are refused
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr bool BrokenSite::*break_kinds[] = {&BrokenSite::jump, &BrokenSite::corner};
 
@@ -63,7 +65,7 @@ bool take_nearest(BrokenSites& sites, double place) {
 
 }  // namespace
 
-Pruning::Pruning(BrokenFit& fit, const Samples& samples, BrokenSites start)
+Pruning::Pruning(SiteFit& fit, const Samples& samples, BrokenSites start)
     : fit_(&fit), samples_(&samples), sites_(std::move(start)), cost_(cost_of(sites_)) {}
 
 bool Pruning::sweep() {
@@ -72,14 +74,14 @@ bool Pruning::sweep() {
     move();
     stack();
     put_in();
-    return cost_ < before - gain_enough;
+    return cost_ < before - cost_gain_enough;
 }
 
 bool Pruning::put_in_breaks(std::span<const double> places) {
     const double before = cost_;
     for (std::size_t j = 0; j < sites_.size(); ++j) break_beside(sites_[j].at);
     while (add_best(places)) {}
-    return cost_ < before - gain_enough;
+    return cost_ < before - cost_gain_enough;
 }
 
 bool Pruning::grow(std::span<const double> places, const Pruning& other) {
@@ -97,9 +99,10 @@ bool Pruning::grow(std::span<const double> places, const Pruning& other) {
     }
 }
 
-double Pruning::unit() const { return std::log(static_cast<double>(samples_->size())); }
+double Pruning::unit() const { return std::log(static_cast<double>(samples_->values())); }
 
 double Pruning::charge_of(const BrokenSites& sites) const {
+    const double knot_charge = static_cast<double>(samples_->sides.size()) + knot_place;
     double sum = 0;
     for (const BrokenSite& site : sites) {
         sum += knot_charge * site.times + corner_charge * site.corner + jump_charge * site.jump;
@@ -109,18 +112,18 @@ double Pruning::charge_of(const BrokenSites& sites) const {
 
 double Pruning::cost_of(const BrokenSites& sites) {
     if (!is_ordered(sites)) return infinite;
-    const double delta2 = fit_->value(sites), n = static_cast<double>(samples_->size());
+    const double delta2 = fit_->value(sites), n = static_cast<double>(samples_->values());
     if (!std::isfinite(delta2)) return delta2;
     // Where delta2 enters by its logarithm, interpolation would always win.
-    const int p = knots_in(sites) + alone_in(sites) + fit_->order();
-    if (!samples_->sigma_known && 2 * p > static_cast<int>(samples_->size())) return infinite;
+    const int p = fit_->parameters(sites);
+    if (!samples_->sigma_known && 2 * p > static_cast<int>(samples_->values())) return infinite;
     const double least = std::max(samples_->least_delta2, std::numeric_limits<double>::min());
     const double misfit = samples_->sigma_known ? delta2 : n * std::log(std::max(delta2, least));
     return misfit + charge_of(sites);
 }
 
 bool Pruning::is_ordered(const BrokenSites& sites) const {
-    const double least = least_gap * fit_->domain().length();
+    const double least = least_site_gap * fit_->domain().length();
     double last = fit_->domain().lo;
     for (const BrokenSite& site : sites) {
         if (!(site.at - last > least)) return false;
@@ -292,7 +295,7 @@ std::span<const Pruning::Kind> Pruning::kinds() const {
 
 /// Whether one more knot leaves a break at the site something to say.
 bool Pruning::has_room(const BrokenSite& site) const {
-    return site.times < fit_->order() - (site.corner ? 2 : site.jump ? 1 : 0);
+    return site.times < fit_->most_times() - (site.corner ? 2 : site.jump ? 1 : 0);
 }
 
 /// Whether a break at the place is not there already by the knots.

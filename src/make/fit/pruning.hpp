@@ -3,7 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "make/fit/broken_fit.hpp"
+#include "make/fit/samples.hpp"
+#include "make/fit/site_fit.hpp"
 
 namespace batten::fitting {
 
@@ -11,14 +12,14 @@ namespace batten::fitting {
 /// N ln delta2 where sigma is not known, and ln N for every parameter, places counted by how exactly
 /// the data know them.
 ///
-/// A coefficient counts as one. The place of a jump is known to one gap of N and counts as two
+/// A coefficient counts as one, each coordinate's by itself. The place of a jump is known to one gap of N and counts as two
 /// [ZhangSiegmund2007]; that of a corner, known to the root of that, as one and a half, at which
 /// smooth data get one in 1 of 20 sets (as one: in 5); that of a knot as a half: as nothing, a tenth
 /// more knots are left at N = 201 for the same error, as one, narrow peaks have an error a fifth
 /// larger.
 class Pruning {
 public:
-    Pruning(BrokenFit& fit, const Samples& samples, BrokenSites start);
+    Pruning(SiteFit& fit, const Samples& samples, BrokenSites start);
 
     const BrokenSites& sites() const { return sites_; }
     double cost() const { return cost_; }
@@ -66,7 +67,7 @@ private:
     bool can_say(const BrokenSites& sites, double place) const;
     double gap_beside(double place, int step) const;
 
-    BrokenFit* fit_;
+    SiteFit* fit_;
     const Samples* samples_;
     BrokenSites sites_;
     double cost_;

@@ -18,6 +18,7 @@ FitCriteria fit_criteria(double delta2, std::size_t samples, int parameters,
     const double n = static_cast<double>(samples), p = parameters;
     const double safe = std::max(delta2, std::numeric_limits<double>::min());
     FitCriteria result;
+    result.delta2 = delta2;
     if (n > p) result.sigma2 = delta2 / (n - p);
     result.aic = n * std::log(safe) + 2 * p;
     result.aicc = n > p + 1 ? result.aic + 2 * p * (p + 1) / (n - p - 1) : result.aic;

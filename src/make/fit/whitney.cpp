@@ -82,4 +82,18 @@ std::vector<int> undetermined_coefficients(std::span<const Cell> cells, int func
     return open;
 }
 
+void remember_places(std::vector<double>& places, std::span<const double> x, Interval span,
+                     std::size_t order) {
+    const auto is_end = [&](double p) { return p == span.lo || p == span.hi; };
+    std::size_t inside = 0;
+    for (const double p : places) inside += !is_end(p);
+    for (const double p : x) {
+        if (inside >= order && !is_end(p)) continue;
+        if (std::find(places.begin(), places.end(), p) != places.end()) continue;
+        places.push_back(p);
+        inside += !is_end(p);
+    }
+    std::sort(places.begin(), places.end());
+}
+
 }  // namespace batten::fitting

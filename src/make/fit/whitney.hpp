@@ -27,6 +27,11 @@ std::vector<Cell> cells_of(std::span<const double> knots, int order, const Sampl
 void add_cells(std::span<const double> knots, int order, std::size_t span, const Samples& samples,
                Rows rows, std::vector<Cell>& out);
 
+/// Adds to the distinct abscissae known of one interval, as many as Schoenberg-Whitney can use:
+/// order inside, and both ends. They rise.
+void remember_places(std::vector<double>& places, std::span<const double> x, Interval span,
+                     std::size_t order);
+
 /// The rank of the matrix with `functions` columns, function `without` left out (or -1).
 int rank_of(std::span<const Cell> cells, int functions, int without = -1);
 

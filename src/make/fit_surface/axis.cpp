@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "make/fit/whitney.hpp"
+#include "num/clones.hpp"
 #include "shape/surface/sides.hpp"
 
 namespace batten::surface_fitting {
@@ -12,6 +13,8 @@ namespace {
 
 /// Of the largest spline: enough for a regular triangle, too little to move what data determine.
 constexpr double faint = 0x1p-20;
+/// Rows turned to columns at a time.
+constexpr std::size_t rows_turned = 32;
 
 num::TensorSide times(const num::TensorSide& side, std::span<const double> weights) {
     num::TensorSide result = side;
@@ -56,7 +59,37 @@ num::BandedQr triangle_of(const num::TensorSide& side) {
     return qr;
 }
 
-/// The same with faint differences between neighbouring coefficients.
+/// A row of a triangular solve of many right-hand sides.
+struct Elimination {
+    double* row;
+    std::size_t width;
+    const double* factors;  ///< of the other rows
+    int others;
+    double scale;
+};
+
+/// row = scale (row - sum of factors[l] others(l)), the others one after the other.
+BATTEN_CLONES void eliminate(const Elimination& e, const double* others) {
+    double* __restrict const row = e.row;
+    const std::size_t width = e.width;
+    if (e.others == 3) {
+        const double a = e.factors[0], b = e.factors[1], c = e.factors[2], scale = e.scale;
+        const double* const second = others + width;
+        const double* const third = second + width;
+        for (std::size_t k = 0; k < width; ++k) {
+            row[k] = scale * (row[k] - a * others[k] - b * second[k] - c * third[k]);
+        }
+        return;
+    }
+    for (int l = 0; l < e.others; ++l) {
+        const double factor = e.factors[l];
+        const double* const other = others + static_cast<std::size_t>(l) * width;
+        for (std::size_t k = 0; k < width; ++k) row[k] -= factor * other[k];
+    }
+    for (std::size_t k = 0; k < width; ++k) row[k] *= e.scale;
+}
+
+/// The triangle with faint differences between neighbouring coefficients.
 num::BandedQr regular_triangle_of(const num::TensorSide& side) {
     const int functions = static_cast<int>(side.functions);
     const int width = std::min(side.order + 1, functions);
@@ -95,13 +128,15 @@ bool is_determined(const BSplineBasis& basis, std::span<const double> used) {
 Axis::Axis(BSplineBasis basis, std::span<const double> lines, std::span<const double> weights,
            std::span<const double> used)
     : basis_(std::move(basis)), plain_(surfaces::side_of(basis_, lines)) {
-    weighted_ = times(plain_, weights);
-    normal_ = times(weighted_, weights);
+    if (std::any_of(weights.begin(), weights.end(), [](double w) { return w != 1; })) {
+        weighted_ = times(plain_, weights);
+        normal_ = times(*weighted_, weights);
+    }
     open_ = fitting::undetermined_coefficients(lines_as_cells(basis_, used),
                                                static_cast<int>(basis_.size()));
     const bool is_regular =
         open_.empty() || is_determined(basis_, lines);
-    triangle_ = is_regular ? triangle_of(weighted_) : regular_triangle_of(weighted_);
+    triangle_ = is_regular ? triangle_of(weighted()) : regular_triangle_of(weighted());
 }
 
 double Axis::spread() const {
@@ -114,17 +149,35 @@ double Axis::spread() const {
     return smallest > 0 ? largest / smallest : std::numeric_limits<double>::infinity();
 }
 
+std::vector<double> Axis::times_triangle(std::span<const double> c) const {
+    std::vector<double> result(functions(), 0.0);
+    for (std::size_t j = 0; j < result.size(); ++j) {
+        const double* const r = triangle_.row(static_cast<int>(j));
+        const std::size_t reach =
+            std::min(static_cast<std::size_t>(triangle_.shape().width), result.size() - j);
+        for (std::size_t l = 0; l < reach; ++l) result[j] += r[l] * c[j + l];
+    }
+    return result;
+}
+
+std::vector<double> Axis::solved(std::span<const double> c) const {
+    std::vector<double> result(functions());
+    triangle_.solve_for(c, result);
+    return result;
+}
+
 void Axis::forward_rows(std::span<double> matrix, std::size_t width) const {
     const int n = static_cast<int>(functions()), band = triangle_.shape().width;
+    std::vector<double> factors(static_cast<std::size_t>(band));
     for (int j = 0; j < n; ++j) {
-        double* const row = matrix.data() + static_cast<std::size_t>(j) * width;
-        const double* const r = triangle_.row(j);
-        const double scale = r[0] == 0 ? 0 : 1 / r[0];
-        for (std::size_t k = 0; k < width; ++k) row[k] *= scale;
-        for (int l = 1; l < band && j + l < n; ++l) {
-            double* const below = row + static_cast<std::size_t>(l) * width;
-            for (std::size_t k = 0; k < width; ++k) below[k] -= r[l] * row[k];
+        const int reach = std::min(band - 1, j);
+        for (int l = reach; l > 0; --l) {
+            factors[static_cast<std::size_t>(reach - l)] = triangle_.row(j - l)[l];
         }
+        const double pivot = triangle_.row(j)[0];
+        eliminate({matrix.data() + static_cast<std::size_t>(j) * width, width, factors.data(),
+                   reach, pivot == 0 ? 0 : 1 / pivot},
+                  matrix.data() + static_cast<std::size_t>(j - reach) * width);
     }
 }
 
@@ -132,15 +185,36 @@ void Axis::invert_rows(std::span<double> matrix, std::size_t width) const {
     forward_rows(matrix, width);
     const int n = static_cast<int>(functions()), band = triangle_.shape().width;
     for (int j = n; j-- > 0;) {
-        double* const row = matrix.data() + static_cast<std::size_t>(j) * width;
         const double* const r = triangle_.row(j);
-        for (int l = 1; l < band && j + l < n; ++l) {
-            const double* const below = row + static_cast<std::size_t>(l) * width;
-            for (std::size_t k = 0; k < width; ++k) row[k] -= r[l] * below[k];
-        }
-        const double scale = r[0] == 0 ? 0 : 1 / r[0];
-        for (std::size_t k = 0; k < width; ++k) row[k] *= scale;
+        double* const row = matrix.data() + static_cast<std::size_t>(j) * width;
+        eliminate({row, width, r + 1, std::min(band, n - j) - 1, r[0] == 0 ? 0 : 1 / r[0]},
+                  row + width);
     }
+}
+
+template <class Rows>
+void Axis::by_columns(std::span<double> matrix, Rows work) const {
+    const std::size_t n = functions(), count = matrix.size() / n;
+    std::vector<double> turned(std::min(count, rows_turned) * n);
+    for (std::size_t i = 0; i < count; i += rows_turned) {
+        const std::size_t few = std::min(rows_turned, count - i);
+        double* const from = matrix.data() + i * n;
+        for (std::size_t k = 0; k < few; ++k) {
+            for (std::size_t j = 0; j < n; ++j) turned[j * few + k] = from[k * n + j];
+        }
+        work(std::span(turned).first(n * few), few);
+        for (std::size_t k = 0; k < few; ++k) {
+            for (std::size_t j = 0; j < n; ++j) from[k * n + j] = turned[j * few + k];
+        }
+    }
+}
+
+void Axis::invert_columns(std::span<double> matrix) const {
+    by_columns(matrix, [&](std::span<double> rows, std::size_t few) { invert_rows(rows, few); });
+}
+
+void Axis::forward_columns(std::span<double> matrix) const {
+    by_columns(matrix, [&](std::span<double> rows, std::size_t few) { forward_rows(rows, few); });
 }
 
 }  // namespace batten::surface_fitting

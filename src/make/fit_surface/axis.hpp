@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,8 +22,8 @@ public:
     std::size_t functions() const { return basis_.size(); }
     /// The splines as they are, times the weight, times its square.
     const num::TensorSide& plain() const { return plain_; }
-    const num::TensorSide& weighted() const { return weighted_; }
-    const num::TensorSide& normal() const { return normal_; }
+    const num::TensorSide& weighted() const { return weighted_ ? *weighted_ : plain_; }
+    const num::TensorSide& normal() const { return normal_ ? *normal_ : plain_; }
     /// Splines without a line of their own, rising; the triangle is then made regular by faint
     /// differences, which continue the surface smoothly.
     const std::vector<int>& open() const { return open_; }
@@ -31,12 +32,22 @@ public:
     double spread() const;
     /// (A^T A)^-1 on the first index of a functions() x width matrix.
     void invert_rows(std::span<double> matrix, std::size_t width) const;
-    /// R^-T on the first index: half of it.
+    /// The same on the second index of a matrix with functions() columns.
+    void invert_columns(std::span<double> matrix) const;
+    /// R c and R^-1 c.
+    std::vector<double> times_triangle(std::span<const double> c) const;
+    std::vector<double> solved(std::span<const double> c) const;
+    /// R^-T on the first index: half of it; and on the second.
     void forward_rows(std::span<double> matrix, std::size_t width) const;
+    void forward_columns(std::span<double> matrix) const;
 
 private:
+    template <class Rows>
+    void by_columns(std::span<double> matrix, Rows work) const;
+
     BSplineBasis basis_;
-    num::TensorSide plain_, weighted_, normal_;
+    num::TensorSide plain_;
+    std::optional<num::TensorSide> weighted_, normal_;  ///< unless all weights are 1
     num::BandedQr triangle_;
     std::vector<int> open_;
 };

@@ -21,33 +21,15 @@ struct Target {
     double delta2 = 0;             ///< 0: not asked
 };
 
-bool is_by_criterion(StopRule rule) {
-    return rule != StopRule::distribution && rule != StopRule::chi2 && rule != StopRule::none;
-}
-
-double criterion_of(StopRule rule, const SurfaceStep& step) {
-    switch (rule) {
-        case StopRule::aic: return step.aic;
-        case StopRule::aicc: return step.aicc;
-        case StopRule::gcv: return step.gcv;
-        default: return step.bic;
-    }
-}
-
 SurfaceStep step_of(const Lattice& lattice) {
     const Misfit& misfit = lattice.misfit();
-    const FitCriteria c =
-        fit_criteria(misfit.delta2, lattice.samples(), lattice.parameters(),
-                     lattice.knows_sigma() ? SigmaKnowledge::known : SigmaKnowledge::unknown);
-    SurfaceStep step;
-    step.intervals = {lattice.x_strips(), lattice.y_strips()};
-    step.parameters = lattice.parameters();
-    step.delta2 = misfit.delta2;
-    step.sigma2 = c.sigma2.value_or(0);
-    step.aic = c.aic;
-    step.bic = c.bic;
-    step.aicc = c.aicc;
-    step.gcv = c.gcv;
+    const int parameters = lattice.parameters();
+    SurfaceStep step{
+        fit_criteria(misfit.delta2, lattice.samples(), parameters,
+                     lattice.knows_sigma() ? SigmaKnowledge::known : SigmaKnowledge::unknown),
+        {lattice.x_strips(), lattice.y_strips()},
+        parameters,
+        {}};
     if (!misfit.psi_is_missing) step.psi.assign(misfit.psi.begin(), misfit.psi.end());
     return step;
 }
@@ -68,7 +50,7 @@ public:
     SurfaceChoice finish() {
         std::size_t chosen = steps_.size() - 1;
         const bool is_free = target_.exactly[0] == 0 && target_.delta2 == 0;
-        if (is_free && is_by_criterion(target_.rule)) {
+        if (is_free && is_criterion(target_.rule)) {
             for (std::size_t i = steps_.size(); i-- > 0;) {
                 if (value(i) <= value(chosen)) chosen = i;
             }
@@ -76,16 +58,19 @@ public:
         const int degree = lattice_.degree();
         SurfaceChoice choice{clamped_knots(x_breaks_[chosen], degree),
                              clamped_knots(y_breaks_[chosen], degree), {}, {}, 0, is_met_};
-        if (chosen + 1 == steps_.size() && lattice_.is_final()) {
-            choice.solution = lattice_.solution();
-            choice.misfit = lattice_.misfit();
+        if (std::optional<Lattice::Fit> fit =
+                lattice_.known_fit(x_breaks_[chosen], y_breaks_[chosen])) {
+            choice.x = std::move(fit->x);
+            choice.y = std::move(fit->y);
+            choice.solution = std::move(fit->solution);
+            choice.misfit = std::move(fit->misfit);
         }
         choice.path = std::move(steps_);
         return choice;
     }
 
 private:
-    double value(std::size_t i) const { return criterion_of(target_.rule, steps_[i]); }
+    double value(std::size_t i) const { return criterion_of(steps_[i], target_.rule); }
 
     bool wants_more(const SurfaceStep& step) {
         const std::size_t count = lattice_.samples();
@@ -128,9 +113,9 @@ private:
 };
 
 SurfaceChoice insert_lines(Lattice& lattice, const Target& target) {
-    if (target.rule != StopRule::distribution || target.exactly[0] > 0 || target.delta2 > 0) {
-        lattice.compress();
-    }
+    const bool counts = target.rule == StopRule::distribution && target.exactly[0] == 0 &&
+                        target.delta2 == 0;
+    lattice.expect_splits(counts ? Lattice::Residuals::each : Lattice::Residuals::sums);
     LineSearch search(lattice, target);
     while (search.step_wants_more()) {
         const std::optional<Lattice::Strip> strip = lattice.worst(target.exactly);
@@ -242,6 +227,8 @@ SurfaceChoice moved_where_free(const Nodes& nodes, const FitSurfaceOptions& opti
     MovedLines moved = move_lines(nodes, std::move(choice.x_knots), std::move(choice.y_knots),
                                   options.degree);
     choice.solution.reset();
+    choice.x.reset();
+    choice.y.reset();
     choice.x_knots = std::move(moved.x_knots);
     choice.y_knots = std::move(moved.y_knots);
     choice.moved = moved.moved;

@@ -16,7 +16,8 @@ struct SurfaceChoice {
     int moved = 0;  ///< knot lines whose places were optimised
     bool is_met = true;
     bool is_converged = true;
-    std::optional<Solution> solution = {};  ///< where it is known already, with its misfit
+    std::optional<Axis> x = {}, y = {};     ///< where they are known already
+    std::optional<Solution> solution = {};  ///< the same, with its misfit
     Misfit misfit = {};
 };
 

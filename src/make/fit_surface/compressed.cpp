@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "num/lanes.hpp"
+#include "num/rows.hpp"
 #include "num/tensor.hpp"
 
 namespace batten::surface_fitting {
 namespace {
 
+constexpr std::size_t rows_read = 16;
 constexpr double safe_ratio = 1e6;  // of sum of squares to delta2: beyond, the nodes are read again
 
 /// Breaks by halving, so that they are those of a search to the last bit.
@@ -44,33 +47,38 @@ struct Inclusion {
         }
         return result;
     }
-    /// Coefficients for the fine splines of those for the coarse ones, count rows.
-    std::vector<double> refined(const std::vector<double>& rows) const {
-        const std::size_t count = rows.size() / coarse;
-        std::vector<double> result(count * fine, 0.0);
-        for (std::size_t r = 0; r < count; ++r) {
-            for (std::size_t i = 0; i < coarse; ++i) {
-                double* const to = result.data() + r * fine + first[i];
-                const double value = rows[r * coarse + i];
-                for (std::size_t j = 0; j < weights[i].size(); ++j) to[j] += weights[i][j] * value;
+};
+
+/// The coefficients of coarse spline i for the fine ones.
+/// Source: [CohenLycheRiesenfeld1980, algorithm 1].
+std::vector<double> refined(const BSplineBasis& coarse, std::size_t i, const BSplineBasis& fine) {
+    const std::span<const double> t = coarse.knots(), u = fine.knots();
+    const std::size_t order = static_cast<std::size_t>(coarse.degree()) + 1;
+    std::vector<double> result(fine.size(), 0.0), a(order);
+    for (std::size_t j = 0; j < fine.size(); ++j) {
+        if (u[j] < t[i] || u[j + order] > t[i + order]) continue;
+        for (std::size_t l = 0; l < order; ++l) {
+            a[l] = t[i + l] <= u[j] && u[j] < t[i + l + 1] ? 1 : 0;
+        }
+        const auto share = [&](std::size_t first, std::size_t k) {
+            const double width = t[first + k] - t[first];
+            return width > 0 ? (u[j + k] - t[first]) / width : 0;
+        };
+        for (std::size_t k = 1; k < order; ++k) {
+            for (std::size_t l = 0; l + k < order; ++l) {
+                const double right = t[i + l + 1 + k] > t[i + l + 1] ? 1 - share(i + l + 1, k) : 0;
+                a[l] = share(i + l, k) * a[l] + right * a[l + 1];
             }
         }
-        return result;
+        result[j] = a[0];
     }
-};
+    return result;
+}
 
 Inclusion inclusion_of(const BSplineBasis& coarse, const BSplineBasis& fine) {
     Inclusion all{coarse.size(), fine.size(), {}, {}};
-    std::vector<double> more;
-    std::set_difference(fine.breaks().begin(), fine.breaks().end(), coarse.breaks().begin(),
-                        coarse.breaks().end(), std::back_inserter(more));
     for (std::size_t i = 0; i < coarse.size(); ++i) {
-        std::vector<double> unit(coarse.size(), 0.0);
-        unit[i] = 1;
-        const SplineFunction one({coarse.knots().begin(), coarse.knots().end()}, unit,
-                                 coarse.degree());
-        const SplineFunction same = more.empty() ? one : insert_knots(one, more);
-        const std::span<const double> c = same.coefficients();
+        const std::vector<double> c = refined(coarse, i, fine);
         std::size_t from = 0, to = c.size();
         while (from + 1 < to && c[from] == 0) ++from;
         while (to > from + 1 && c[to - 1] == 0) --to;
@@ -89,76 +97,29 @@ std::vector<double> transposed(const std::vector<double>& m, std::size_t rows, s
     return result;
 }
 
-/// G = A^T A of one direction, full.
-std::vector<double> gram_of(const Axis& axis) {
-    const num::TensorSide& side = axis.weighted();
-    const std::size_t n = axis.functions();
-    std::vector<double> gram(n * n, 0.0);
-    for (std::size_t r = 0; r < side.places(); ++r) {
-        for (int i = 0; i < side.order; ++i) {
-            for (int j = 0; j < side.order; ++j) {
-                gram[(side.first[r] + static_cast<std::size_t>(i)) * n + side.first[r] +
-                     static_cast<std::size_t>(j)] += side.at(r)[i] * side.at(r)[j];
-            }
-        }
+/// The sum of the squares of row[s] weights[s].
+BATTEN_CLONES double weighted_square_sum(const double* row, std::span<const double> weights) {
+    num::Lanes sums = {};
+    std::size_t s = 0;
+    for (; s + num::lanes <= weights.size(); s += num::lanes) {
+        num::Lanes z, w;
+        num::load(row + s, z);
+        num::load(weights.data() + s, w);
+        z *= w;
+        sums += z * z;
     }
-    return gram;
+    double sum = num::sum_of(sums);
+    for (; s < weights.size(); ++s) sum += row[s] * weights[s] * (row[s] * weights[s]);
+    return sum;
 }
 
-/// rows x n times a band matrix n x n of half-width `band`.
-std::vector<double> times_band(const std::vector<double>& rows, const std::vector<double>& matrix,
-                               std::size_t n, std::size_t band) {
-    std::vector<double> result(rows.size(), 0.0);
-    for (std::size_t r = 0; r < rows.size() / n; ++r) {
-        for (std::size_t k = 0; k < n; ++k) {
-            const double factor = rows[r * n + k];
-            const std::size_t from = k > band ? k - band : 0, to = std::min(n, k + band + 1);
-            for (std::size_t j = from; j < to; ++j) {
-                result[r * n + j] += factor * matrix[k * n + j];
-            }
-        }
+/// (a b)(r, s) of the row r.
+void add_row_products(const num::TensorSide& side, std::size_t r, std::span<const double> row,
+                      std::vector<double>& to) {
+    for (int i = 0; i < side.order; ++i) {
+        const std::size_t at = side.first[r] + static_cast<std::size_t>(i);
+        num::add_times(side.at(r)[i], row, std::span(to).subspan(at * row.size(), row.size()));
     }
-    return result;
-}
-
-/// The measure of every strip along one direction: `products` are those of the heights' lines with
-/// the splines across, c the coefficients with the direction first.
-std::vector<double> strips_along(const Axis& along, const Axis& across,
-                                 std::vector<double> products, const std::vector<double>& c,
-                                 std::span<const double> lines) {
-    const std::size_t q = across.functions(), count = lines.size();
-    const std::vector<double> image =
-        times_band(c, gram_of(across), q, static_cast<std::size_t>(across.basis().degree()));
-    const num::TensorSide& side = along.weighted();
-    for (std::size_t r = 0; r < count; ++r) {
-        for (int i = 0; i < side.order; ++i) {
-            const double value = side.at(r)[i];
-            const double* const row =
-                image.data() + (side.first[r] + static_cast<std::size_t>(i)) * q;
-            for (std::size_t j = 0; j < q; ++j) products[r * q + j] -= value * row[j];
-        }
-    }
-    std::vector<double> turned = transposed(products, count, q);
-    across.forward_rows(turned, count);
-    const std::span<const double> breaks = along.basis().breaks();
-    std::vector<double> strips(breaks.size() - 1, 0.0);
-    const auto inside = breaks.subspan(1, breaks.size() - 2);
-    std::vector<double> sums(count, 0.0);
-    for (std::size_t j = 0; j < q; ++j) {
-        for (std::size_t r = 0; r < count; ++r) sums[r] += turned[j * count + r] * turned[j * count + r];
-    }
-    for (std::size_t r = 0; r < count; ++r) {
-        strips[static_cast<std::size_t>(std::upper_bound(inside.begin(), inside.end(), lines[r]) -
-                                        inside.begin())] += sums[r] / static_cast<double>(q);
-    }
-    return strips;
-}
-
-/// Every row by itself: what makes products with one side only.
-num::TensorSide separate(std::span<const double> weights) {
-    num::TensorSide side{1, weights.size(), {}, {weights.begin(), weights.end()}};
-    for (std::size_t r = 0; r < weights.size(); ++r) side.first.push_back(r);
-    return side;
 }
 
 }  // namespace
@@ -175,86 +136,93 @@ std::unique_ptr<Compressed> Compressed::of(const Nodes& nodes, int degree, int s
 
 Compressed::Compressed(const Nodes& nodes, Axis x, Axis y)
     : nodes_(nodes), x_(std::move(x)), y_(std::move(y)) {
-    const std::size_t m = nodes.x.size(), n = nodes.y.size();
-    // Rows by the splines in y, and from these what the splines in x make of them.
-    rows_.assign(m * y_.functions(), 0.0);
-    const num::TensorSide each_row = separate(nodes.x_weight);
-    num::Tensor(each_row, y_.normal()).contract(nodes.z, {0, m}, rows_);
-    both_.assign(x_.functions() * y_.functions(), 0.0);
-    const num::TensorSide& a = x_.weighted();
-    for (std::size_t r = 0; r < m; ++r) {
-        for (int i = 0; i < a.order; ++i) {
-            double* const to = both_.data() +
-                               (a.first[r] + static_cast<std::size_t>(i)) * y_.functions();
-            for (std::size_t j = 0; j < y_.functions(); ++j) {
-                to[j] += a.at(r)[i] * rows_[r * y_.functions() + j];
-            }
-        }
-    }
-    std::vector<double> columns(x_.functions() * n, 0.0);
-    const num::TensorSide each_column = separate(nodes.y_weight);
-    num::Tensor(x_.normal(), each_column).contract(nodes.z, {0, m}, columns);
-    columns_ = transposed(columns, x_.functions(), n);
-    finest_ = inverted(both_, x_, y_);
-    double all = 0, explained = 0;
-    for (std::size_t r = 0; r < m; ++r) {
-        double sums[8] = {};
-        const double* const row = nodes.z.data() + r * n;
-        const double* const weight = nodes.y_weight.data();
-        std::size_t s = 0;
-        for (; s + 8 <= n; s += 8) {
-            for (std::size_t l = 0; l < 8; ++l) {
-                const double e = row[s + l] * weight[s + l];
-                sums[l] += e * e;
-            }
-        }
-        for (; s < n; ++s) sums[0] += row[s] * weight[s] * row[s] * weight[s];
-        double sum = 0;
-        for (const double part : sums) sum += part;
-        all += sum * nodes.x_weight[r] * nodes.x_weight[r];
-    }
-    for (std::size_t k = 0; k < finest_.size(); ++k) explained += finest_[k] * both_[k];
-    finest_delta2_ = all - explained;
-    if (!(all <= safe_ratio * finest_delta2_)) {
-        finest_delta2_ = misfit(nodes, x_, y_, finest_, std::nullopt).delta2;
+    const double all = read_nodes();
+    products_ = heights_;
+    x_.forward_rows(heights_, y_.functions());
+    y_.forward_columns(heights_);
+    y_.forward_rows(x_lines_, nodes.x.size());
+    x_.forward_rows(y_lines_, nodes.y.size());
+    least_delta2_ = all - num::sum_of_squares(heights_);
+    if (!(all <= safe_ratio * least_delta2_)) {
+        least_delta2_ =
+            misfit(nodes, x_, y_, inverted(products_, x_, y_), std::nullopt).delta2;
     }
 }
 
-bool Compressed::holds(const std::vector<double>& x_breaks,
-                       const std::vector<double>& y_breaks) const {
-    const std::span<const double> x = x_.basis().breaks(), y = y_.basis().breaks();
-    return std::includes(x.begin(), x.end(), x_breaks.begin(), x_breaks.end()) &&
-           std::includes(y.begin(), y.end(), y_breaks.begin(), y_breaks.end());
+double Compressed::read_nodes() {
+    const std::size_t m = nodes_.x.size(), n = nodes_.y.size(), q = y_.functions();
+    const num::Tensor tensor(x_.normal(), y_.normal());
+    heights_.assign(x_.functions() * q, 0.0);
+    x_lines_.assign(q * m, 0.0);
+    y_lines_.assign(x_.functions() * n, 0.0);
+    std::vector<double> part(rows_read * q);
+    double all = 0;
+    for (std::size_t first = 0; first < m; first += rows_read) {
+        const num::PlaceRange rows{first, std::min(m, first + rows_read)};
+        std::fill(part.begin(), part.end(), 0.0);
+        tensor.contract_apart(nodes_.z.subspan(first * n, rows.count() * n), rows, y_lines_, part);
+        for (std::size_t r = rows.first; r < rows.last; ++r) {
+            const double weight = nodes_.x_weight[r];
+            all += weighted_square_sum(nodes_.z.data() + r * n, nodes_.y_weight) * weight * weight;
+            const std::span<double> row = std::span(part).subspan((r - first) * q, q);
+            for (double& value : row) value *= weight;
+            add_row_products(x_.weighted(), r, row, heights_);
+        }
+        for (std::size_t j = 0; j < q; ++j) {
+            for (std::size_t r = rows.first; r < rows.last; ++r) {
+                x_lines_[j * m + r] = part[(r - first) * q + j];
+            }
+        }
+    }
+    for (std::size_t i = 0; i < x_.functions(); ++i) {
+        for (std::size_t s = 0; s < n; ++s) y_lines_[i * n + s] *= nodes_.y_weight[s];
+    }
+    return all;
 }
 
-void Compressed::fit(const Axis& x, const Axis& y, Solution& solution, Misfit& misfit) const {
+bool Compressed::has_break(Way way, double t) const {
+    const std::span<const double> breaks = axis(way).basis().breaks();
+    return std::binary_search(breaks.begin(), breaks.end(), t);
+}
+
+std::vector<double> Compressed::coordinates(Way way, const BSplineBasis& basis,
+                                            std::size_t function) const {
+    return axis(way).times_triangle(refined(basis, function, axis(way).basis()));
+}
+
+std::vector<double> Compressed::at_lines(Way way, std::span<const double> function) const {
+    const std::vector<double> c = axis(way).solved(function);
+    const num::TensorSide& side = axis(way).weighted();
+    std::vector<double> values(side.places(), 0.0);
+    for (std::size_t r = 0; r < values.size(); ++r) {
+        for (int i = 0; i < side.order; ++i) {
+            values[r] += side.at(r)[i] * c[side.first[r] + static_cast<std::size_t>(i)];
+        }
+    }
+    return values;
+}
+
+SearchSpace::Image Compressed::image(Way way, std::span<const double> function) const {
+    Image result;
+    result.lines.assign(lines(across(way)).size(), 0.0);
+    result.coordinates.assign(size(across(way)), 0.0);
+    if (way == Way::x) {
+        num::add_combination(function, y_lines_, result.lines);
+        num::add_combination(function, heights_, result.coordinates);
+    } else {
+        num::add_combination(function, x_lines_, result.lines);
+        num::add_dots(heights_, function, result.coordinates);
+    }
+    return result;
+}
+
+Solution Compressed::solution(const Axis& x, const Axis& y) const {
     const Inclusion in_x = inclusion_of(x.basis(), x_.basis());
     const Inclusion in_y = inclusion_of(y.basis(), y_.basis());
     const std::size_t p = x.functions(), q = y.functions();
-    const std::vector<double> half = in_y.reduced(both_);  // fine x by coarse y
+    const std::vector<double> half = in_y.reduced(products_);  // fine x by coarse y
     const std::vector<double> g = in_x.reduced(transposed(half, x_.functions(), q));  // q x p
-    solution = {inverted(transposed(g, q, p), x, y)};
-    const std::vector<double>& c = solution.coefficients;
-
-    // The distance to the finest fit, in the norm of the weighted nodes.
-    const std::vector<double> wide = in_y.refined(c);  // p x fine y
-    const std::vector<double> fine = transposed(
-        in_x.refined(transposed(wide, p, y_.functions())), y_.functions(), x_.functions());
-    std::vector<double> gap(finest_.size());
-    for (std::size_t k = 0; k < gap.size(); ++k) gap[k] = finest_[k] - fine[k];
-    const std::size_t band = static_cast<std::size_t>(x.basis().degree());
-    const std::vector<double> by_y = times_band(gap, gram_of(y_), y_.functions(), band);
-    const std::vector<double> by_x =
-        times_band(transposed(by_y, x_.functions(), y_.functions()), gram_of(x_), x_.functions(),
-                   band);
-    const std::vector<double> image = transposed(by_x, y_.functions(), x_.functions());
-    misfit = {};
-    misfit.psi_is_missing = true;
-    misfit.delta2 = finest_delta2_;
-    for (std::size_t k = 0; k < gap.size(); ++k) misfit.delta2 += gap[k] * image[k];
-
-    misfit.x_strips = strips_along(x, y, in_y.reduced(rows_), c, nodes_.x);
-    misfit.y_strips = strips_along(y, x, in_x.reduced(columns_), transposed(c, p, q), nodes_.y);
+    return {inverted(transposed(g, q, p), x, y)};
 }
 
 }  // namespace batten::surface_fitting

@@ -3,40 +3,51 @@
 #include <memory>
 #include <vector>
 
-#include "make/fit_surface/solve.hpp"
+#include "make/fit_surface/search_space.hpp"
 
 namespace batten::surface_fitting {
 
 /// A full grid read once: what fits over halved strips need, without the nodes.
 ///
 /// Splines over strips made by halving lie in the space over the finest strips of that kind. For
-/// its splines F_i(x), F_j(y) three products of the weighted heights are kept, with both, with the
-/// F_j alone (a row an x-line) and with the F_i alone.
+/// its splines F_i(x), F_j(y) three products of the weighted heights are kept: with both, with the
+/// F_j alone (a column an x-line) and with the F_i alone. The triangles of the two directions make
+/// them orthonormal.
 ///
-/// delta2 is that of the finest strips and the distance to their fit, so that nothing cancels.
-/// Accuracy: 1e-10 of delta2. Cost: about two passes over the nodes; a fit then takes
-///         order (M + N) operations a spline.
-class Compressed {
+/// delta2 is that of the finest strips and what is left of the products, so that nothing cancels.
+/// Accuracy: 1e-10 of delta2. Cost: one pass over the nodes. Borrows the nodes.
+class Compressed : public SearchSpace {
 public:
     /// Nothing where the nodes do not determine the splines over so many strips.
     static std::unique_ptr<Compressed> of(const Nodes& nodes, int degree, int strips);
 
-    /// Whether all breaks are borders of the finest strips.
-    bool holds(const std::vector<double>& x_breaks, const std::vector<double>& y_breaks) const;
-
-    /// Coefficients, delta2 and the projected rule's measure of every strip; psi stays empty.
-    void fit(const Axis& x, const Axis& y, Solution& solution, Misfit& misfit) const;
+    const std::vector<double>& heights() const override { return heights_; }
+    std::size_t size(Way way) const override { return axis(way).functions(); }
+    std::span<const double> lines(Way way) const override {
+        return way == Way::x ? nodes_.x : nodes_.y;
+    }
+    std::vector<double> coordinates(Way way, const BSplineBasis& basis,
+                                    std::size_t function) const override;
+    std::vector<double> at_lines(Way way, std::span<const double> function) const override;
+    Image image(Way way, std::span<const double> function) const override;
+    bool has_break(Way way, double t) const override;
+    double least_delta2() const override { return least_delta2_; }
+    bool is_of_nodes() const override { return false; }
+    Solution solution(const Axis& x, const Axis& y) const override;
 
 private:
     Compressed(const Nodes& nodes, Axis x, Axis y);
+    /// Fills the products; the sum of the squares of the weighted heights.
+    double read_nodes();
+    const Axis& axis(Way way) const { return way == Way::x ? x_ : y_; }
 
     const Nodes& nodes_;
     Axis x_, y_;
-    std::vector<double> both_;  ///< x functions by y functions
-    std::vector<double> rows_;  ///< x-lines by y functions
-    std::vector<double> columns_;  ///< y-lines by x functions
-    std::vector<double> finest_;  ///< coefficients
-    double finest_delta2_ = 0;
+    std::vector<double> products_;  ///< with the splines: x functions by y functions
+    std::vector<double> heights_;   ///< the same by orthonormal functions
+    std::vector<double> x_lines_;   ///< y functions by x-lines
+    std::vector<double> y_lines_;   ///< x functions by y-lines
+    double least_delta2_ = 0;
 };
 
 }  // namespace batten::surface_fitting

@@ -9,15 +9,9 @@
 namespace batten::surface_fitting {
 
 void fill_criteria(FitSurfaceReport& report, const Misfit& misfit, const SampleFacts& facts) {
-    const FitCriteria c =
+    static_cast<FitCriteria&>(report) =
         fit_criteria(misfit.delta2, facts.count, report.parameters,
                      facts.sigma_known ? SigmaKnowledge::known : SigmaKnowledge::unknown);
-    report.delta2 = misfit.delta2;
-    report.sigma2 = c.sigma2;
-    report.aic = c.aic;
-    report.bic = c.bic;
-    report.aicc = c.aicc;
-    report.gcv = c.gcv;
     report.psi.assign(misfit.psi.begin(), misfit.psi.end());
     report.max_residual = misfit.max_residual;
     report.samples = facts.count;

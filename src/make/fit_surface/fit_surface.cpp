@@ -25,10 +25,12 @@ Status surface_status(const FitSurfaceReport& report, const Solution& solution,
 SurfaceFit fit_surface(const SurfaceSamples& samples, const FitSurfaceOptions& options) {
     const Nodes nodes = prepared_nodes(samples, options);
     SurfaceChoice choice = choose_lines(nodes, options);
-    const Axis x(BSplineBasis(choice.x_knots, options.degree), nodes.x, nodes.x_weight,
-                 nodes.used_x());
-    const Axis y(BSplineBasis(choice.y_knots, options.degree), nodes.y, nodes.y_weight,
-                 nodes.used_y());
+    const Axis x = choice.x ? std::move(*choice.x)
+                            : Axis(BSplineBasis(choice.x_knots, options.degree), nodes.x,
+                                   nodes.x_weight, nodes.used_x());
+    const Axis y = choice.y ? std::move(*choice.y)
+                            : Axis(BSplineBasis(choice.y_knots, options.degree), nodes.y,
+                                   nodes.y_weight, nodes.used_y());
     const std::size_t parameters = x.functions() * y.functions();
     if (nodes.count < parameters) {
         throw Error("fit.too-few", "grid", std::to_string(nodes.count) + " nodes",

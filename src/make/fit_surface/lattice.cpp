@@ -4,12 +4,15 @@
 #include <cmath>
 #include <numeric>
 
+#include "make/fit_surface/compressed.hpp"
 #include "make/fit_surface/filled_report.hpp"
+#include "make/fit_surface/node_space.hpp"
 
 namespace batten::surface_fitting {
 namespace {
 
 constexpr std::size_t worth_compressing = 50000;  // nodes
+constexpr int usual_strips = 32;  // of the finest; where halving goes on, twice as many
 
 std::vector<double> equal_strips(Interval range, int strips) {
     return even_places(range, static_cast<std::size_t>(strips) + 1);
@@ -36,22 +39,18 @@ Lattice::Lattice(const Cloud& cloud, int degree, StripRule rule)
     set({domain_.x.lo, domain_.x.hi}, {domain_.y.lo, domain_.y.hi});
 }
 
+Axis Lattice::axis_over(const std::vector<double>& breaks, Way way) const {
+    const bool is_x = way == Way::x;
+    return Axis(basis_over(breaks, degree_), is_x ? nodes_->x : nodes_->y,
+                is_x ? nodes_->x_weight : nodes_->y_weight, is_x ? used_x_ : used_y_);
+}
+
 void Lattice::set(std::vector<double> x_breaks, std::vector<double> y_breaks) {
-    if (cloud_) {
-        x_breaks_ = std::move(x_breaks);
-        y_breaks_ = std::move(y_breaks);
-        return;
-    }
-    if (x_breaks != x_breaks_) {
-        x_breaks_ = std::move(x_breaks);
-        x_ = std::make_unique<Axis>(basis_over(x_breaks_, degree_), nodes_->x, nodes_->x_weight,
-                                    used_x_);
-    }
-    if (y_breaks != y_breaks_) {
-        y_breaks_ = std::move(y_breaks);
-        y_ = std::make_unique<Axis>(basis_over(y_breaks_, degree_), nodes_->y, nodes_->y_weight,
-                                    used_y_);
-    }
+    if (x_breaks != x_breaks_) x_.reset();
+    if (y_breaks != y_breaks_) y_.reset();
+    x_breaks_ = std::move(x_breaks);
+    y_breaks_ = std::move(y_breaks);
+    solution_.reset();
 }
 
 void Lattice::refit() {
@@ -62,23 +61,63 @@ void Lattice::refit() {
         misfit_ = std::move(fit.misfit);
         return;
     }
-    if (compressed_ && compressed_->holds(x_breaks_, y_breaks_)) {
-        compressed_->fit(*x_, *y_, solution_, misfit_);
+    if (nested_ && (nested_->go_to(x_breaks_, y_breaks_) || go_to_finer_strips())) {
+        misfit_ = nested_->misfit();
     } else {
+        nested_.reset();
+        if (!x_) x_ = std::make_unique<Axis>(axis_over(x_breaks_, Way::x));
+        if (!y_) y_ = std::make_unique<Axis>(axis_over(y_breaks_, Way::y));
         solution_ = solve(*nodes_, *x_, *y_, Corrected::no);
-        misfit_ = surface_fitting::misfit(*nodes_, *x_, *y_, solution_.coefficients, rule_);
+        misfit_ = surface_fitting::misfit(*nodes_, *x_, *y_, solution_->coefficients, rule_);
     }
     require_finite_misfit();
 }
 
-void Lattice::compress() {
-    if (!nodes_ || !nodes_->is_full() || nodes_->z.size() < worth_compressing ||
-        rule_ != StripRule::projected || degree_ == 0) {
+void Lattice::expect_splits(Residuals residuals) {
+    if (!nodes_ || !nodes_->is_full() || !is_determined(basis_over(x_breaks_, degree_), used_x_) ||
+        !is_determined(basis_over(y_breaks_, degree_), used_y_)) {
         return;
     }
-    for (int strips = 64; strips >= 8 && !compressed_; strips /= 2) {
-        compressed_ = Compressed::of(*nodes_, degree_, strips);
+    if (nodes_->z.size() < worth_compressing) {
+        space_ = std::make_unique<NodeSpace>(*nodes_);
+    } else if (residuals == Residuals::sums && rule_ == StripRule::projected && degree_ > 0) {
+        for (finest_strips_ = usual_strips; finest_strips_ >= 8; finest_strips_ /= 2) {
+            space_ = Compressed::of(*nodes_, degree_, finest_strips_);
+            if (space_) break;
+        }
     }
+    if (space_) nested_ = Nested::over(*space_, degree_, rule_);
+}
+
+bool Lattice::go_to_finer_strips() {
+    if (space_->is_of_nodes()) return false;
+    finest_strips_ *= 2;
+    std::unique_ptr<SearchSpace> finer = Compressed::of(*nodes_, degree_, finest_strips_);
+    if (!finer) return false;
+    nested_ = Nested::over(*finer, degree_, rule_);
+    space_ = std::move(finer);
+    return nested_ && nested_->go_to(x_breaks_, y_breaks_);
+}
+
+std::optional<Lattice::Fit> Lattice::known_fit(const std::vector<double>& x_breaks,
+                                               const std::vector<double>& y_breaks) const {
+    if (cloud_) return std::nullopt;
+    if (solution_ && x_breaks == x_breaks_ && y_breaks == y_breaks_) {
+        if (!is_harmless(*x_, *y_)) return std::nullopt;
+        return Fit{*x_, *y_, *solution_, misfit_};
+    }
+    const auto has_all = [&](const std::vector<double>& breaks, Way way) {
+        return std::all_of(breaks.begin(), breaks.end(),
+                           [&](double t) { return space_->has_break(way, t); });
+    };
+    if (!space_ || !has_all(x_breaks, Way::x) || !has_all(y_breaks, Way::y)) return std::nullopt;
+    if (space_->is_of_nodes()) return std::nullopt;
+    Axis x = axis_over(x_breaks, Way::x), y = axis_over(y_breaks, Way::y);
+    if (!is_harmless(x, y)) return std::nullopt;
+    Solution solution = space_->solution(x, y);
+    Fit fit{std::move(x), std::move(y), std::move(solution), {}};
+    fit.misfit.psi_is_missing = true;
+    return fit;
 }
 
 void Lattice::require_finite_misfit() const {
@@ -87,17 +126,18 @@ void Lattice::require_finite_misfit() const {
     require_finite_solution({}, misfit_.delta2);
 }
 
-bool Lattice::is_final() const {
-    return nodes_ && is_harmless(*x_, *y_);
-}
-
-bool Lattice::can_split(const std::vector<double>& breaks, std::size_t strip,
-                        const std::vector<double>& used) const {
-    const double middle = Interval{breaks[strip], breaks[strip + 1]}.middle();
-    if (!(breaks[strip] < middle && middle < breaks[strip + 1])) return false;
+bool Lattice::can_split(Strip strip) const {
+    const std::vector<double>& breaks = strip.is_x ? x_breaks_ : y_breaks_;
+    const double left = breaks[strip.index], right = breaks[strip.index + 1];
+    const double middle = Interval{left, right}.middle();
+    if (!(left < middle && middle < right)) return false;
+    if (nested_ && !space_->is_of_nodes() &&
+        space_->has_break(strip.is_x ? Way::x : Way::y, middle)) {
+        return true;  // the nodes determine all splines with its breaks
+    }
     std::vector<double> finer = breaks;
-    finer.insert(finer.begin() + static_cast<std::ptrdiff_t>(strip) + 1, middle);
-    return is_determined(basis_over(finer, degree_), used);
+    finer.insert(finer.begin() + static_cast<std::ptrdiff_t>(strip.index) + 1, middle);
+    return is_determined(basis_over(finer, degree_), strip.is_x ? used_x_ : used_y_);
 }
 
 std::optional<Lattice::Strip> Lattice::worst(std::array<int, 2> most) const {
@@ -114,9 +154,7 @@ std::optional<Lattice::Strip> Lattice::worst(std::array<int, 2> most) const {
     std::stable_sort(strips.begin(), strips.end(),
                      [&](Strip a, Strip b) { return measure(a) > measure(b); });
     for (const Strip s : strips) {
-        const bool is_free = s.is_x ? can_split(x_breaks_, s.index, used_x_)
-                                    : can_split(y_breaks_, s.index, used_y_);
-        if (is_free) return s;
+        if (can_split(s)) return s;
     }
     return std::nullopt;
 }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "make/fit_surface/cloud.hpp"
-#include "make/fit_surface/compressed.hpp"
+#include "make/fit_surface/nested.hpp"
 #include "make/fit_surface/solve.hpp"
 
 namespace batten::surface_fitting {
@@ -23,15 +23,23 @@ public:
     int x_strips() const { return static_cast<int>(x_breaks_.size()) - 1; }
     int y_strips() const { return static_cast<int>(y_breaks_.size()) - 1; }
     int parameters() const { return (x_strips() + degree_) * (y_strips() + degree_); }
-    const Solution& solution() const { return solution_; }
     const Misfit& misfit() const { return misfit_; }
 
     /// Solves and measures for the present lines. Throws `points.not-finite`, `number.overflow`.
     void refit();
-    /// Reads the nodes once for many refits, where that is worth while; psi is then not measured.
-    void compress();
-    /// Whether the last refit is what a fit of its own would give.
-    bool is_final() const;
+    /// Where every residual is asked for, or only their sums.
+    enum class Residuals { each, sums };
+    /// Gets ready for refits whose lines are those before and some more, where that is worth while.
+    /// Of sums only, the nodes of large grids are read once; psi is then not measured.
+    void expect_splits(Residuals residuals);
+    /// What a fit of its own would give for lines of one of the refits, where it is known.
+    struct Fit {
+        Axis x, y;
+        Solution solution;
+        Misfit misfit;
+    };
+    std::optional<Fit> known_fit(const std::vector<double>& x_breaks,
+                                 const std::vector<double>& y_breaks) const;
 
     /// The strip with the largest measure that can be split, x before y and low before high where
     /// they are equal; none where nothing can be split. Directions with as many strips as `most`
@@ -50,8 +58,9 @@ public:
 
 private:
     void require_finite_misfit() const;
-    bool can_split(const std::vector<double>& breaks, std::size_t strip,
-                   const std::vector<double>& used) const;
+    bool go_to_finer_strips();
+    bool can_split(Strip strip) const;
+    Axis axis_over(const std::vector<double>& breaks, Way way) const;
     void set(std::vector<double> x_breaks, std::vector<double> y_breaks);
 
     const Nodes* nodes_ = nullptr;  ///< either these or the cloud
@@ -60,10 +69,12 @@ private:
     int degree_;
     StripRule rule_;
     std::vector<double> used_x_, used_y_, x_breaks_, y_breaks_;
-    std::unique_ptr<Axis> x_, y_;
-    Solution solution_;
+    std::unique_ptr<Axis> x_, y_;  ///< of the present lines, once asked for
+    std::optional<Solution> solution_;  ///< of the present lines, unless nested
     Misfit misfit_;
-    std::unique_ptr<Compressed> compressed_;
+    std::unique_ptr<SearchSpace> space_;
+    int finest_strips_ = 0;  ///< of the space, where the nodes are read once
+    std::unique_ptr<Nested> nested_;
 };
 
 }  // namespace batten::surface_fitting

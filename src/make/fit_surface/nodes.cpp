@@ -6,6 +6,7 @@
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
+#include "num/rows.hpp"
 
 namespace batten::surface_fitting {
 namespace {
@@ -53,11 +54,15 @@ std::array<double, 3> second_difference(std::span<const double> t, std::size_t i
     return {-left / norm, 1 / norm, -right / norm};
 }
 
-/// Noise level from mixed second differences: blind to u(x) + v(y) and to bilinear parts.
-/// Source: [Immerkaer1996], for uneven grids.
-double noise_of(const SurfaceSamples& given) {
-    double sum = 0;
+/// The sum of the squares of the mixed second differences where all nine nodes are there, and how
+/// many these are.
+struct Differences {
+    double sum_sq = 0;
     std::size_t count = 0;
+};
+
+Differences whole_differences(const SurfaceSamples& given) {
+    Differences result;
     for (std::size_t r = 1; r + 1 < given.x.size(); ++r) {
         const std::array<double, 3> a = second_difference(given.x, r);
         for (std::size_t s = 1; s + 1 < given.y.size(); ++s) {
@@ -71,11 +76,40 @@ double noise_of(const SurfaceSamples& given) {
                 }
             }
             if (!is_whole) continue;
-            sum += value * value;
-            ++count;
+            result.sum_sq += value * value;
+            ++result.count;
         }
     }
-    return count == 0 ? 0 : std::sqrt(sum / static_cast<double>(count));
+    return result;
+}
+
+/// The same without missing nodes, row by row.
+Differences differences_of_rows(const SurfaceSamples& given) {
+    const std::size_t m = given.x.size(), n = given.y.size();
+    Differences result;
+    if (m < 3 || n < 3) return result;
+    std::vector<std::array<double, 3>> b;
+    for (std::size_t s = 1; s + 1 < n; ++s) b.push_back(second_difference(given.y, s));
+    std::vector<double> across(n), values(n - 2);
+    for (std::size_t r = 1; r + 1 < m; ++r) {
+        std::fill(across.begin(), across.end(), 0.0);
+        num::add_combination(second_difference(given.x, r),
+                             given.z.values().subspan((r - 1) * n, 3 * n), across);
+        for (std::size_t s = 0; s + 2 < n; ++s) {
+            values[s] = b[s][0] * across[s] + b[s][1] * across[s + 1] + b[s][2] * across[s + 2];
+        }
+        result.sum_sq += num::sum_of_squares(values);
+    }
+    result.count = (m - 2) * (n - 2);
+    return result;
+}
+
+/// Noise level from mixed second differences: blind to u(x) + v(y) and to bilinear parts.
+/// Source: [Immerkaer1996], for uneven grids.
+double noise_of(const SurfaceSamples& given) {
+    const Differences d =
+        given.z.has_mask() ? whole_differences(given) : differences_of_rows(given);
+    return d.count == 0 ? 0 : std::sqrt(d.sum_sq / static_cast<double>(d.count));
 }
 
 std::vector<double> inverses(std::span<const double> sigma, std::size_t size) {

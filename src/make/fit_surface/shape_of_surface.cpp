@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "num/rows.hpp"
+
 namespace batten::surface_fitting {
 namespace {
 
@@ -41,29 +43,21 @@ double additive_rest(const Grid& z) {
 /// 1 less the largest squared singular value's share, by power iteration.
 double product_rest(const Grid& z) {
     const std::size_t m = z.nu(), n = z.nv();
-    double all = 0;
+    const std::span<const double> values = z.view().values();
+    const double all = num::sum_of_squares(values);
     std::vector<double> v(n, 0.0), u(m);
     for (std::size_t i = 0; i < m; ++i) {
-        for (std::size_t j = 0; j < n; ++j) {
-            all += z(i, j) * z(i, j);
-            v[j] += std::fabs(z(i, j));
-        }
+        for (std::size_t j = 0; j < n; ++j) v[j] += std::fabs(values[i * n + j]);
     }
     double largest_sq = 0;
     for (int round = 0; round < 200 && all > 0; ++round) {
-        double norm_sq = 0;
-        for (const double x : v) norm_sq += x * x;
-        for (std::size_t i = 0; i < m; ++i) {
-            u[i] = 0;
-            for (std::size_t j = 0; j < n; ++j) u[i] += z(i, j) * v[j];
-            u[i] /= std::sqrt(norm_sq);
-        }
-        double next = 0;
-        for (const double x : u) next += x * x;
+        const double scale = 1 / std::sqrt(num::sum_of_squares(v));
+        for (double& x : v) x *= scale;
+        std::fill(u.begin(), u.end(), 0.0);
+        num::add_dots(values, v, u);
+        const double next = num::sum_of_squares(u);
         std::fill(v.begin(), v.end(), 0.0);
-        for (std::size_t i = 0; i < m; ++i) {
-            for (std::size_t j = 0; j < n; ++j) v[j] += z(i, j) * u[i];
-        }
+        num::add_combination(u, values, v);
         const bool is_still = std::fabs(next - largest_sq) <= 1e-12 * all;
         largest_sq = next;
         if (is_still) break;

@@ -15,15 +15,6 @@ constexpr double small_enough = 1e-11;
 /// Of the triangles' diagonals: below, seminormal equations lose 4 digits of 16 at most.
 constexpr double harmless_spread = 100;
 
-std::vector<double> turned(const std::vector<double>& matrix, std::size_t rows,
-                           std::size_t columns) {
-    std::vector<double> result(matrix.size());
-    for (std::size_t i = 0; i < rows; ++i) {
-        for (std::size_t j = 0; j < columns; ++j) result[j * rows + i] = matrix[i * columns + j];
-    }
-    return result;
-}
-
 /// Both passes over the nodes that every solver needs.
 class Passes {
 public:
@@ -35,11 +26,6 @@ public:
     }
     /// A^T W (z - A c); without c A^T W z.
     std::vector<double> gradient(const std::vector<double>* c) const {
-        if (!c && nodes_.is_full()) {
-            std::vector<double> g(unknowns(), 0.0);
-            normal_.contract(nodes_.z, {0, plain_.x().places()}, g);
-            return g;
-        }
         return gathered([&](num::PlaceRange rows, std::span<double> out) {
             const std::size_t width = plain_.y().places();
             const double* const z = nodes_.z.data() + rows.first * width;
@@ -122,9 +108,8 @@ Solution conjugate_gradients(const Passes& passes, const Axis& x, const Axis& y)
 
 std::vector<double> inverted(std::vector<double> g, const Axis& x, const Axis& y) {
     x.invert_rows(g, y.functions());
-    std::vector<double> t = turned(g, x.functions(), y.functions());
-    y.invert_rows(t, x.functions());
-    return turned(t, y.functions(), x.functions());
+    y.invert_columns(g);
+    return g;
 }
 
 bool is_harmless(const Axis& x, const Axis& y) {
@@ -132,12 +117,13 @@ bool is_harmless(const Axis& x, const Axis& y) {
 }
 
 Solution solve(const Nodes& nodes, const Axis& x, const Axis& y, Corrected corrected) {
-    const Passes passes(nodes, x, y);
-    if (!nodes.is_full()) return conjugate_gradients(passes, x, y);
-    Solution result{inverted(passes.gradient(nullptr), x, y)};
+    if (!nodes.is_full()) return conjugate_gradients(Passes(nodes, x, y), x, y);
+    std::vector<double> products(x.functions() * y.functions(), 0.0);
+    num::Tensor(x.normal(), y.normal()).contract(nodes.z, {0, nodes.x.size()}, products);
+    Solution result{inverted(std::move(products), x, y)};
     if (corrected == Corrected::where_needed && !is_harmless(x, y)) {
         add_times(result.coefficients, 1,
-                  inverted(passes.gradient(&result.coefficients), x, y));
+                  inverted(Passes(nodes, x, y).gradient(&result.coefficients), x, y));
     }
     return result;
 }
@@ -156,6 +142,7 @@ std::vector<double> residuals(const Nodes& nodes, const Axis& x, const Axis& y,
 std::vector<std::array<int, 2>> open_coefficients(const Nodes& nodes, const Axis& x,
                                                   const Axis& y) {
     std::vector<std::array<int, 2>> open;
+    if (nodes.is_full() && x.open().empty() && y.open().empty()) return open;
     std::vector<double> present(x.functions() * y.functions(), 1.0);
     if (!nodes.is_full()) {
         // The columns' square sums, found like a right-hand side from the squares of the splines.

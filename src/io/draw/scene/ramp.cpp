@@ -46,14 +46,17 @@ Colors rising_colors() {
     return colors;
 }
 
+/// Around 0 nearly paper, so that what is neither above nor below leans to neither colour.
 Colors diverging_colors() {
     Colors colors;
     constexpr int half = ramp_classes / 2;
-    for (int i = 0; i < half; ++i) {
-        const double share = 0.06 + 0.92 * i / (half - 1);
+    static_assert(ramp_classes == 2 * half + 1, "0 lies in the middle of a class");
+    colors[half] = on_paper(color_of(Tone::grey), 0.06);
+    for (int i = 1; i <= half; ++i) {
+        const double share = 0.06 + 0.92 * i / half;
         const std::size_t step = static_cast<std::size_t>(i);
         colors[half + step] = on_paper(color_of(Tone::accent), share);
-        colors[half - 1 - step] = on_paper(color_of(Tone::blue), share);
+        colors[half - step] = on_paper(color_of(Tone::blue), share);
     }
     return colors;
 }

@@ -6,7 +6,7 @@
 
 namespace batten::drawing {
 
-inline constexpr int ramp_classes = 16;
+inline constexpr int ramp_classes = 17;
 inline constexpr int shade_classes = 18;
 
 /// The colour of a class of numbers, 0 the lowest of `ramp_classes`.

@@ -1,0 +1,141 @@
+#include "make/fit/curve_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "make/fit/free_choice.hpp"
+#include "make/fit/pruned_choice.hpp"
+
+namespace batten::fitting {
+namespace {
+
+constexpr double misfit_gain_enough = 1e-4;  // of the misfit, to correct the parameters once more
+
+bool has_dropped(const std::vector<double>& factors) {
+    return std::any_of(factors.begin(), factors.end(), [](double f) { return std::isinf(f); });
+}
+
+}  // namespace
+
+CurveSearch::CurveSearch(PointsView points, std::span<const double> sigma,
+                         const FitOptions& options)
+    : options_(options), problem_(points, sigma, options), basis_(options.degree + 1) {}
+
+void CurveSearch::run() {
+    // Free knots take long to find: parameters are corrected over inserted ones first.
+    FitOptions first = options_;
+    const bool is_free = options_.knots == KnotPlacement::free;
+    if (is_free) first = by_insertion(options_);
+    choose(first);
+    const bool is_again = is_free || (choice_.by_data && options_.corrections > 0);
+    if (placement_of(options_) != KnotPlacement::given && has_dropped(here_->factors)) {
+        // Chords to an outlier and back are no length of the curve.
+        problem_.measure_chords(here_->factors);
+        choose(first);
+    }
+    if (is_again) choose(options_);
+    if (choice_.moved > 0) move_on();
+    if (options_.knots == KnotPlacement::pruned) {
+        const BrokenSites sites = sites_of(here_->fixed.knots, problem_.samples().range);
+        note_breaks(choice_, sites, basis_.order());
+    }
+}
+
+/// Knots and parameters in turn, as many knots as there are.
+void CurveSearch::move_on() {
+    for (int round = 0; round < options_.corrections; ++round) {
+        const WeightedFit before = *here_;
+        std::vector<double> t = problem_.parameters();
+        WeightedFit next = weighted_fit(
+            moved_on(used(), basis_, here_->fixed.knots, options_), here_->factors);
+        if (!next.fixed.undetermined.empty()) break;
+        here_ = std::move(next);
+        correct();
+        if (!(here_->misfit < before.misfit)) {
+            here_ = before;
+            problem_.restore(std::move(t));
+            break;
+        }
+        if (before.misfit - here_->misfit <= misfit_gain_enough * before.misfit) break;
+    }
+}
+
+void CurveSearch::choose(const FitOptions& options) {
+    choice_ = choose_knots(problem_.samples(), basis_, options);
+    std::vector<double> factors = here_ ? std::move(here_->factors) : std::vector<double>();
+    here_ = weighted_fit(choice_.knots, std::move(factors));
+    correct();
+}
+
+std::vector<SplineFunction> CurveSearch::curve() const {
+    return splines_of(here_->fixed, problem_.samples().sides.size());
+}
+
+Samples CurveSearch::used() const {
+    return here_->factors.empty() ? problem_.samples()
+                                  : reweighted(problem_.samples(), here_->factors);
+}
+
+FixedFit CurveSearch::solved(const Samples& samples, std::vector<double> knots,
+                             const std::vector<double>& factors) const {
+    const Ends ends = ends_of(options_);
+    return factors.empty()
+               ? solve_fixed(samples, std::move(knots), basis_, ends)
+               : solve_fixed(reweighted(samples, factors), std::move(knots), basis_, ends);
+}
+
+WeightedFit CurveSearch::weighted_fit(const std::vector<double>& knots,
+                                      std::vector<double> factors) const {
+    const Samples samples = problem_.samples();
+    const std::size_t dim = samples.sides.size();
+    WeightedFit fit{solved(samples, knots, factors), std::move(factors), 0};
+    for (int round = 0; round < most_reweightings && options_.robust != Robust::none; ++round) {
+        std::vector<double> next = robust_factors(
+            options_.robust, samples, residuals_of(samples, splines_of(fit.fixed, dim)));
+        if (next == fit.factors) break;
+        FixedFit fixed = solved(samples, knots, next);
+        if (!fixed.undetermined.empty()) break;
+        fit.fixed = std::move(fixed);
+        fit.factors = std::move(next);
+    }
+    const std::vector<SplineFunction> curve = splines_of(fit.fixed, dim);
+    fit.misfit = options_.robust == Robust::none
+                     ? tally_of(samples, curve).delta2
+                     : robust_loss(options_.robust, samples, residuals_of(samples, curve));
+    return fit;
+}
+
+/// The best of the fits met while parameters are corrected, knots as they are.
+void CurveSearch::correct() {
+    for (int round = 0; round < options_.corrections && here_->fixed.undetermined.empty();
+         ++round) {
+        std::vector<double> before = problem_.parameters();
+        problem_.correct(curve(), here_->factors);
+        problem_.samples().work.step();
+        WeightedFit next = weighted_fit(here_->fixed.knots, here_->factors);
+        if (!next.fixed.undetermined.empty() || !(next.misfit < here_->misfit)) {
+            problem_.restore(std::move(before));
+            break;
+        }
+        const bool is_enough = here_->misfit - next.misfit <= misfit_gain_enough * here_->misfit;
+        here_ = std::move(next);
+        if (is_enough) break;
+    }
+}
+
+ResidualTally tally_of(const Samples& samples, std::span<const SplineFunction> curve) {
+    ResidualTally all;
+    for (std::size_t s = 0; s < curve.size(); ++s) {
+        const ResidualTally one = tally(samples, curve[s], static_cast<int>(s));
+        all.delta2 += one.delta2;
+        for (std::size_t w = 0; w < all.psi.size(); ++w) {
+            all.psi[w] += one.psi[w] / static_cast<double>(curve.size());
+        }
+        all.max_residual = std::max(all.max_residual, one.max_residual);
+        all.runs += one.runs;
+        all.positive += one.positive;
+    }
+    return all;
+}
+
+}  // namespace batten::fitting

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "make/fit/curve_problem.hpp"
+#include "make/fit/knot_choice.hpp"
+#include "make/fit/residuals.hpp"
+
+/// Knots and parameters of a curve, in turn.
+namespace batten::fitting {
+
+/// A fit over given knots and parameters, weights decided by its own distances where asked.
+struct WeightedFit {
+    FixedFit fixed;
+    std::vector<double> factors;  ///< of sigma, one a point; empty: all 1
+    double misfit = 0;            ///< delta2, or the robust loss
+};
+
+class CurveSearch {
+public:
+    CurveSearch(PointsView points, std::span<const double> sigma, const FitOptions& options);
+
+    /// To be called once; what follows is its result.
+    void run();
+
+    const CurveProblem& problem() const { return problem_; }
+    const WeightedFit& result() const { return *here_; }
+    KnotChoice& choice() { return choice_; }
+    std::vector<SplineFunction> curve() const;
+    /// The samples with the weights of the last fit.
+    Samples used() const;
+
+private:
+    void choose(const FitOptions& options);
+    void correct();
+    void move_on();
+    FixedFit solved(const Samples& samples, std::vector<double> knots,
+                    const std::vector<double>& factors) const;
+    WeightedFit weighted_fit(const std::vector<double>& knots, std::vector<double> factors) const;
+
+    const FitOptions& options_;
+    CurveProblem problem_;
+    LocalBasis basis_;
+    KnotChoice choice_;
+    std::optional<WeightedFit> here_;
+};
+
+/// Over all coordinates: sums, and means of the shares.
+ResidualTally tally_of(const Samples& samples, std::span<const SplineFunction> curve);
+
+}  // namespace batten::fitting
