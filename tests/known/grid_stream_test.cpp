@@ -1,5 +1,3 @@
-#include <filesystem>
-#include <fstream>
 
 #include "batten/base/error.hpp"
 #include "batten/io/grid_file.hpp"
@@ -70,10 +68,9 @@ TEST(GridStream, ReadsLinesOfAnyLengthFromAFile) {
     const SurfaceTable table = surface_of([](double x, double y) { return x / (y + 1); }, 3, 60'000);
     const std::string csv = csv_grid(table.x, table.y, table.z);
     ASSERT_GT(csv.size(), std::size_t{3} << 20);
-    const std::string path = (std::filesystem::path(::testing::TempDir()) / "long_lines.csv").string();
+    const std::string path = scratch_file("long_lines.csv");
     write_file(path, csv);
     expect_same(GridStream(StoredBytes(path)), parse_grid({"g.csv", csv}));
-    std::filesystem::remove(path);
 }
 
 }  // namespace grid_stream_test

@@ -13,13 +13,13 @@
 
 namespace batten {
 
-/// What to try for a surface with a front or a jump along one curve x = phi(y).
+/// What to try for a surface with fronts or jumps along curves x = phi(y).
 struct FitFrontOptions {
     std::optional<double> sigma;
     int most_steps = 60;      ///< of a descent
 };
 
-/// Which way a front runs: from the lowest y to the highest, x = phi(y), or the other way round.
+/// Which way fronts run: from the lowest y to the highest, x = phi(y), or the other way round.
 enum class FrontRuns { across_rows, across_columns };
 
 constexpr std::array<Named<FrontRuns>, 2> names_of(FrontRuns) {
@@ -28,7 +28,8 @@ constexpr std::array<Named<FrontRuns>, 2> names_of(FrontRuns) {
 
 struct FrontReport {
     bool has_front = false;   ///< the criterion prefers the curved lines to a tensor product
-    bool is_jump = false;     ///< the lines were run together: the surface is not continuous
+    int fronts = 1;           ///< bundles of lines
+    bool is_jump = false;     ///< lines were run together: the surface is not continuous
     FrontRuns front = FrontRuns::across_rows;
     std::array<int, 2> intervals{};
     int parameters = 0;       ///< coefficients
@@ -46,7 +47,8 @@ struct FrontReport {
 template <class Visit>
 void visit_fields(const FrontReport& r, Visit&& visit) {
     visit("has_front", r.has_front, "whether the criterion prefers curved lines to straight ones");
-    visit("is_jump", r.is_jump, "whether the surface is not continuous across the front");
+    visit("fronts", r.fronts, "how many fronts are followed, from left to right");
+    visit("is_jump", r.is_jump, "whether the surface is not continuous across a front");
     visit("front", r.front, "which coordinate of the front is a function of the other");
     visit("intervals", r.intervals, "numbers of strips in x and y");
     visit("parameters", r.parameters, "p: number of coefficients");
@@ -67,21 +69,25 @@ struct FrontFit {
     SurfaceFit tensor;  ///< the automatic tensor product
 };
 
-/// The surface with a bundle of knot lines phi(y) + offset along its steepest path, one more line
-/// on each side of it, and straight lines of constant y; lines and coefficients of the least
-/// delta2 found from a narrow and from a wide bundle. Cubic.
+/// The surface with bundles of knot lines phi(y) + offset along its steepest paths, a line or none
+/// in every space beside them, and straight lines of constant y; lines and coefficients of the
+/// least delta2 found from narrow and from wide bundles. Cubic.
 ///
-/// The numbers of lines along the front, of intervals of phi and of strips across are those of the
-/// least bic, one at a time more or less; so is the direction in which the front runs. At first at
-/// most 5 lines and 3 intervals and strips; only where delta2 / (N - p) stays above 1.15 up to 6
-/// lines and 4, 6, 8 intervals.
+/// The numbers of lines along a front, of intervals of phi and of strips across are those of the
+/// least bic, one at a time more or less; so are the number of fronts, the direction in which they
+/// run, and whether the four lines of a bundle run together to a jump. At first at most 5 lines and
+/// 3 intervals and strips; only where delta2 / (N - p) stays above 1.15 up to 3 fronts, 6 lines and
+/// 4, 6, 8 intervals.
 ///
-/// Scope: one front, crossing all rows (or all columns), one x for every y (or one y for every x).
-/// `has_front` says whether bic prefers a bundle of 4 or 5 lines, 3 intervals and 3 strips to the
+/// Scope: fronts that cross all rows (or all columns), one x for every y (or one y for every x),
+/// at least 5 cells and a twentieth of the domain apart. One that dies out on its way is one of
+/// them; one that closes or turns back is not.
+/// `has_front` says whether bic prefers bundles of 4 or 5 lines, 3 intervals and 3 strips to the
 /// tensor product of `fit_surface`, which is returned as well; only then other numbers are tried.
+/// Lines never leave a spline without a node a row: coefficients would be left to chance.
 /// Status `not_converged` where a descent stopped at `most_steps`.
-/// Cost:   some milliseconds a step for 3,000 nodes.
-/// Throws: what fit_surface throws about samples; `fit.too-few` below 8 lines in x or 4 in y.
+/// Cost:   about a millisecond a step for 3,000 nodes; in all one or two seconds a front.
+/// Throws: what fit_surface throws about samples; `fit.too-few` below 8 lines in x or 6 in y.
 /// Source: variable projection [GolubPereyra1973], Kaufman's form; the derivative by a knot as in
 /// docs/surfaces.md.
 FrontFit fit_front(const SurfaceSamples& samples, const FitFrontOptions& options = {});

@@ -16,15 +16,13 @@ using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
 constexpr int order = 4;
-constexpr std::size_t most_knots = 32;  // of a bundle: 6 lines, 2 beside, the ends
-constexpr double least_room = 1e-9;  // of the domain, between lines and to the border
+constexpr std::size_t most_knots = 32;  // 3 bundles of 6 lines, 4 beside, the ends
 /// Ties between neighbouring coefficients, of the largest diagonal: for those without data.
 constexpr double tie = 1e-11;
 
-double logistic(double u) { return 1 / (1 + std::exp(-u)); }
-
-BSplineBasis even_basis(Interval domain, int intervals) {
-    return BSplineBasis::over(even_places(domain, static_cast<std::size_t>(intervals) + 1), 3);
+BSplineBasis across_basis(const FrontShape& shape) {
+    return BSplineBasis::over(
+        even_places(shape.domain.y, static_cast<std::size_t>(shape.y_strips) + 1), 3);
 }
 
 std::vector<double> with_ends(const std::vector<double>& lines, Interval domain) {
@@ -73,8 +71,7 @@ struct FrontRow {
 class FrontSystem {
 public:
     FrontSystem(const Nodes& nodes, const FrontShape& shape, const std::vector<double>& theta)
-        : nodes_(nodes), shape_(shape), y_side_(surfaces::side_of(
-                                            even_basis(shape.domain.y, shape.y_strips), nodes.y)) {
+        : nodes_(nodes), shape_(shape), y_side_(surfaces::side_of(across_basis(shape), nodes.y)) {
         const int p = shape.coefficients();
         normal_ = Matrix::Zero(p, p);
         right_ = Vector::Zero(p);
@@ -82,6 +79,22 @@ public:
     }
 
     bool is_inside() const { return is_inside_; }
+
+    /// Whether every spline in x has a node of its own, taken over all rows: lines closer together
+    /// leave coefficients to chance, and the surface swings between the nodes.
+    bool is_supported() const {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(shape_.x_functions()); ++i) {
+            std::size_t nodes = 0;
+            for (const FrontRow& row : rows_) {
+                const auto from = std::upper_bound(nodes_.x.begin(), nodes_.x.end(), row.knots[i]);
+                const auto to =
+                    std::lower_bound(from, nodes_.x.end(), row.knots[i + order]);
+                nodes += static_cast<std::size_t>(to - from);
+            }
+            if (nodes < rows_.size()) return false;
+        }
+        return true;
+    }
 
     void solve() {
         const double scale = tie * normal_.diagonal().maxCoeff();
@@ -225,184 +238,16 @@ private:
     bool is_inside_ = true;
 };
 
-/// Offsets of the bundle's lines from phi.
-std::vector<double> offsets_of(const FrontShape& shape, const std::vector<double>& theta) {
-    std::vector<double> offsets(static_cast<std::size_t>(shape.bundle), 0.0);
-    const std::size_t first = static_cast<std::size_t>(shape.front_values());
-    for (std::size_t i = 1; i < offsets.size(); ++i) {
-        offsets[i] = offsets[i - 1] + std::exp(theta[first + i - 1]);
-    }
-    const double half = 0.5 * offsets.back();
-    for (double& offset : offsets) offset -= half;
-    return offsets;
-}
-
 }  // namespace
-
-/// Given lines: in order, or on top of each other.
-LinesAt standing_lines(const FrontShape& shape, double y) {
-    LinesAt at;
-    const Interval x = shape.domain.x;
-    const double room = least_room * x.length();
-    double before = x.lo + room;
-    for (const SplineFunction& line : shape.given) {
-        at.x.push_back(line(y));
-        at.is_inside = at.is_inside && before <= at.x.back() && at.x.back() <= x.hi - room;
-        before = at.x.back();
-    }
-    return at;
-}
-
-LinesAt lines_at(const FrontShape& shape, const std::vector<double>& theta, double y) {
-    if (!shape.given.empty()) return standing_lines(shape, y);
-    const BSplineBasis basis = even_basis(shape.domain.y, shape.front_intervals);
-    double values[order];
-    basis.nonzero(y, 0, values);
-    const std::size_t first = basis.span_of(y) + 1 - order;
-    const std::size_t n = theta.size(), bundle = static_cast<std::size_t>(shape.bundle);
-    const std::size_t gaps = static_cast<std::size_t>(shape.front_values());
-    const std::vector<double> offsets = offsets_of(shape, theta);
-    double phi = 0;
-    for (std::size_t j = 0; j < order; ++j) phi += values[j] * theta[first + j];
-    LinesAt at{std::vector<double>(bundle + 2), std::vector<double>((bundle + 2) * n, 0.0)};
-    for (std::size_t i = 0; i < bundle; ++i) {
-        double* const slope = at.slopes.data() + (i + 1) * n;
-        at.x[i + 1] = phi + offsets[i];
-        for (std::size_t j = 0; j < order; ++j) slope[first + j] = values[j];
-        for (std::size_t g = 0; g + 1 < bundle; ++g) {
-            slope[gaps + g] = std::exp(theta[gaps + g]) * ((g < i ? 1 : 0) - 0.5);
-        }
-    }
-    const Interval x = shape.domain.x;
-    const double left = logistic(theta[n - 2]), right = logistic(theta[n - 1]);
-    at.x.front() = x.lo + left * (at.x[1] - x.lo);
-    at.x.back() = at.x[bundle] + right * (x.hi - at.x[bundle]);
-    for (std::size_t k = 0; k + 2 < n; ++k) {
-        at.slopes[k] = left * at.slopes[n + k];
-        at.slopes[(bundle + 1) * n + k] = (1 - right) * at.slopes[bundle * n + k];
-    }
-    at.slopes[n - 2] = left * (1 - left) * (at.x[1] - x.lo);
-    at.slopes[(bundle + 2) * n - 1] = right * (1 - right) * (x.hi - at.x[bundle]);
-    double before = x.lo;
-    const double room = least_room * x.length();
-    for (std::size_t i = 0; i < at.x.size(); ++i) {
-        const bool is_border = i == 0 || i + 1 == at.x.size() || i == 1;
-        at.is_inside = at.is_inside && at.x[i] >= before + (is_border ? room : 0);
-        before = at.x[i];
-    }
-    at.is_inside = at.is_inside && before <= x.hi - room;
-    return at;
-}
 
 FrontState front_state(const Nodes& nodes, const FrontShape& shape,
                        const std::vector<double>& theta, Slopes slopes) {
     FrontSystem system(nodes, shape, theta);
-    if (!system.is_inside()) return {std::numeric_limits<double>::infinity(), {}, {}, {}};
+    if (!system.is_inside() || (shape.given.empty() && !system.is_supported())) {
+        return {std::numeric_limits<double>::infinity(), {}, {}, {}};
+    }
     system.solve();
     return system.state(slopes);
-}
-
-CurvedKnotSurface front_surface(const FrontShape& shape, const std::vector<double>& theta,
-                                const std::vector<double>& coefficients) {
-    std::vector<SplineFunction> y_lines;
-    const std::vector<double> breaks =
-        even_places(shape.domain.y, static_cast<std::size_t>(shape.y_strips) + 1);
-    for (std::size_t j = 1; j + 1 < breaks.size(); ++j) {
-        y_lines.emplace_back(std::vector<double>{shape.domain.x.lo, shape.domain.x.hi},
-                             std::vector<double>{breaks[j]}, 0);
-    }
-    if (!shape.given.empty()) {
-        return {3, shape.domain, shape.given, std::move(y_lines), coefficients};
-    }
-    const BSplineBasis basis = even_basis(shape.domain.y, shape.front_intervals);
-    const std::vector<double> knots(basis.knots().begin(), basis.knots().end());
-    const std::vector<double> phi(theta.begin(), theta.begin() + shape.front_values());
-    const std::vector<double> offsets = offsets_of(shape, theta);
-    const auto line = [&](double offset, double share, double base) {
-        std::vector<double> c = phi;
-        for (double& value : c) value = base + share * (value + offset - base);
-        return SplineFunction(knots, std::move(c), 3);
-    };
-    const std::size_t n = theta.size();
-    std::vector<SplineFunction> x_lines{
-        line(offsets.front(), logistic(theta[n - 2]), shape.domain.x.lo)};
-    for (const double offset : offsets) x_lines.push_back(line(offset, 1, 0));
-    x_lines.push_back(line(offsets.back(), 1 - logistic(theta[n - 1]), shape.domain.x.hi));
-    return {3, shape.domain, std::move(x_lines), std::move(y_lines), coefficients};
-}
-
-std::vector<double> front_start(const FrontShape& shape, const Nodes& nodes,
-                                const std::vector<double>& front, double width) {
-    const BSplineBasis basis = even_basis(shape.domain.y, shape.front_intervals);
-    const num::TensorSide side = surfaces::side_of(basis, nodes.y);
-    Matrix a = Matrix::Zero(static_cast<int>(nodes.y.size()), static_cast<int>(basis.size()));
-    Vector b(static_cast<int>(nodes.y.size()));
-    for (std::size_t s = 0; s < nodes.y.size(); ++s) {
-        for (int j = 0; j < order; ++j) {
-            a(static_cast<int>(s), static_cast<int>(side.first[s]) + j) = side.at(s)[j];
-        }
-        b[static_cast<int>(s)] = front[s];
-    }
-    Matrix normal = a.transpose() * a;
-    normal.diagonal().array() += 1e-12 * normal.trace();
-    const Vector phi = normal.ldlt().solve(a.transpose() * b);
-    std::vector<double> theta(phi.data(), phi.data() + phi.size());
-    theta.insert(theta.end(), static_cast<std::size_t>(shape.bundle) - 1,
-                 std::log(width / (shape.bundle - 1)));
-    theta.insert(theta.end(), 2, 0.0);
-    return theta;
-}
-
-std::vector<double> steepest_path(const Nodes& nodes) {
-    const std::size_t m = nodes.x.size(), n = nodes.y.size();
-    const Interval domain{nodes.x.front(), nodes.x.back()};
-    const double height = nodes.y.back() - nodes.y.front();
-    constexpr double free_slope = 2.5;  // domain widths a height, not charged
-    Matrix steep = Matrix::Zero(static_cast<int>(n), static_cast<int>(m));
-    for (std::size_t s = 0; s < n; ++s) {
-        for (std::size_t r = 2; r + 2 < m; ++r) {
-            const auto z = [&](std::size_t i) { return nodes.z[i * n + s]; };
-            steep(static_cast<int>(s), static_cast<int>(r)) =
-                std::fabs(2 * (z(r + 2) - z(r - 2)) + z(r + 1) - z(r - 1)) /
-                (nodes.x[r + 2] - nodes.x[r - 2]);
-        }
-    }
-    const double charge = steep.maxCoeff();
-    Matrix best = steep;
-    std::vector<std::size_t> from(n * m, 0);
-    for (std::size_t s = 1; s < n; ++s) {
-        const double reach =
-            free_slope * (nodes.y[s] - nodes.y[s - 1]) / height * domain.length();
-        for (std::size_t r = 0; r < m; ++r) {
-            double most = -std::numeric_limits<double>::infinity();
-            for (std::size_t q = 0; q < m; ++q) {
-                const double step = std::fabs(nodes.x[r] - nodes.x[q]);
-                const double beyond = std::max(0.0, step - reach) / reach;
-                const double value = best(static_cast<int>(s) - 1, static_cast<int>(q)) -
-                                     charge * beyond * beyond - 1e-3 * charge * step / reach;
-                if (value <= most) continue;
-                most = value;
-                from[s * m + r] = q;
-            }
-            best(static_cast<int>(s), static_cast<int>(r)) += most;
-        }
-    }
-    int last = 0;
-    best.row(static_cast<int>(n) - 1).maxCoeff(&last);
-    std::vector<double> path(n);
-    std::size_t at = static_cast<std::size_t>(last);
-    for (std::size_t s = n; s-- > 0;) {
-        // The centre of the steepness around the place is finer than a cell.
-        double sum = 0, moment = 0;
-        for (std::size_t r = at >= 3 ? at - 3 : 0; r <= std::min(m - 1, at + 3); ++r) {
-            const double value = steep(static_cast<int>(s), static_cast<int>(r));
-            sum += value * value;
-            moment += value * value * nodes.x[r];
-        }
-        path[s] = sum > 0 ? moment / sum : nodes.x[at];
-        at = from[s * m + at];
-    }
-    return path;
 }
 
 }  // namespace batten::surface_fitting
