@@ -12,11 +12,11 @@ using num::LaneMask;
 using num::Lanes;
 using num::lanes;
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double beyond_any = std::numeric_limits<double>::infinity();
 
 /// The running extremes and counts of one column.
 struct Column {
-    Lanes least = Lanes{} + infinite, largest = {};
+    Lanes least = Lanes{} + beyond_any, largest = {};
     LaneMask finite = {};
 
     BATTEN_INLINE void add(const Lanes& v) {
@@ -74,7 +74,7 @@ void look_at(const Samples& samples, Rows rows, FirstLook& look) {
     const auto add_one = [&](std::size_t i) {
         // The first one of all has none before it, but is not to be NaN.
         look.falls |= !(samples.x[i] >= samples.x[i > 0 ? i - 1 : i]);
-        look.largest = std::max(look.largest, std::isfinite(y[i]) ? std::fabs(y[i]) : infinite);
+        look.largest = std::max(look.largest, std::isfinite(y[i]) ? std::fabs(y[i]) : beyond_any);
         if (sigma) add_sigma(sigma[i], look.sigma);
     };
     std::size_t row = rows.first;
@@ -86,7 +86,7 @@ void look_at(const Samples& samples, Rows rows, FirstLook& look) {
     look.falls |= num::sum_of(sums.rising) != all;
     const bool are_finite = num::sum_of(sums.sizes.finite) == all;
     look.largest =
-        std::max(look.largest, are_finite ? num::largest_of(sums.sizes.largest) : infinite);
+        std::max(look.largest, are_finite ? num::largest_of(sums.sizes.largest) : beyond_any);
     if (sigma && whole > 0) {
         look.sigma.least = std::min(look.sigma.least, -num::largest_of(-sums.sigma.least));
         look.sigma.largest = std::max(look.sigma.largest, num::largest_of(sums.sigma.largest));
