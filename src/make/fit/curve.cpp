@@ -187,7 +187,10 @@ CurveFit fit_curve(PointsView points, std::span<const double> sigma, const FitOp
     Part part = part_of(points, sigma, std::move(rows));
     const std::vector<std::size_t> isolated = isolated_rows(part, options);
     if (!isolated.empty()) part = part_of(points, sigma, without(part.rows, isolated));
-    require_enough(part.points.size(), 2);
+    if (part.points.size() < 2) {
+        throw Error("fit.too-few", "samples", std::to_string(part.points.size()),
+                    "there must be at least two with weight");
+    }
     CurveSearch search(part.points, part.sigma, options);
     search.run();
     const std::vector<SplineFunction> curve = search.curve();
