@@ -2,8 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 
 #include "batten/base/error.hpp"
+#include "batten/base/text.hpp"
 #include "help.hpp"
 #include "usage.hpp"
 #include "vocabulary.hpp"
@@ -70,6 +72,16 @@ void add_run(CLI::App& app, Command& command) {
     add_common(*run, run_flags(), command);
 }
 
+/// Whether `word` is the field's value: a number where it takes one, one of its choices, or what
+/// may be meant for one, a plain word and no file.
+bool is_meant_for(const Field& field, const std::string& word) {
+    if (field.choices.empty()) return parse_number(word).has_value();
+    const auto& words = field.choices;
+    if (std::find(words.begin(), words.end(), word) != words.end()) return true;
+    const bool is_plain = word.find_first_not_of("abcdefghijklmnopqrstuvwxyz") == std::string::npos;
+    return is_plain && !word.empty() && !std::filesystem::exists(word);
+}
+
 /// The words typed, with a bare option's meaning written out: `--robust` is `--robust reject`
 /// unless one of its words follows.
 std::vector<std::string> written_out(int argc, const char* const* argv) {
@@ -81,9 +93,7 @@ std::vector<std::string> written_out(int argc, const char* const* argv) {
         const std::string flag = "--" + flag_name(field.name);
         for (std::size_t i = 0; i < words.size(); ++i) {
             if (words[i] != flag) continue;
-            const bool has_word =
-                i + 1 < words.size() && std::find(field.choices.begin(), field.choices.end(),
-                                                  words[i + 1]) != field.choices.end();
+            const bool has_word = i + 1 < words.size() && is_meant_for(field, words[i + 1]);
             if (!has_word) words.insert(words.begin() + static_cast<std::ptrdiff_t>(i) + 1, field.bare);
         }
     }

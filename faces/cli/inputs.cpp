@@ -140,6 +140,18 @@ Input read_input(const std::string& path, const Command& command) {
     return {source.name, PointsInput{table, coordinate_columns(table, command.columns)}};
 }
 
+/// A column, where the text is no choice and no file.
+std::vector<double> column_named(const Table& table, const Field& field, const std::string& text) {
+    try {
+        return column_values(table, column_index(table, text));
+    } catch (const Error& error) {
+        if (error.code() != "table.unknown-column") throw;
+        throw Error(error.code(), error.place(), error.value(),
+                    error.rule() + "; --" + flag_name(field.name) + " also takes " + field.takes +
+                        ", numbers or a file of them, and there is no such file");
+    }
+}
+
 Argument argument_of(const Command& command, const Field& field, const std::string& text,
                      const std::vector<Input>& inputs) {
     switch (field.kind) {
@@ -153,7 +165,7 @@ Argument argument_of(const Command& command, const Field& field, const std::stri
                 if (is_list(text)) return numbers_in(text);
                 if (std::filesystem::is_regular_file(text)) return read_numbers(text);
                 if (const auto* points = std::get_if<PointsInput>(&inputs.front().content)) {
-                    return column_values(points->table, column_index(points->table, text));
+                    return column_named(points->table, field, text);
                 }
             }
             return text;

@@ -12,6 +12,7 @@
 #include "batten/io/curve_file.hpp"
 #include "batten/io/json.hpp"
 #include "batten/io/svg_path.hpp"
+#include "batten/make/fit_bands.hpp"
 
 namespace batten::python {
 namespace {
@@ -98,6 +99,44 @@ py::array_t<double> jets(const Curve& curve, const Array& t, int order, const py
     return result;
 }
 
+/// The edges of the band of the last coordinate's derivative `nu`.
+py::tuple band_of(const Curve& curve, const Array& t, int nu, double percent) {
+    require_order(nu, "nu");
+    if (!(percent > 0 && percent < 100)) {
+        throw Error("option.range", "percent", format_number(percent),
+                    "must be above 0 and below 100");
+    }
+    const FitCovariance* covariance = covariance_of(curve);
+    if (!covariance) {
+        throw Error("curve.no-band", "band", format_number(percent),
+                    "the curve does not say how sure it is: take that of a fit y(x), nothing made "
+                    "of it");
+    }
+    const std::span<const double> parameters = numbers_in(t);
+    py::array_t<double> lower(shape_of(t, {})), upper(shape_of(t, {}));
+    const std::span<double> lo{lower.mutable_data(), parameters.size()};
+    const std::span<double> hi{upper.mutable_data(), parameters.size()};
+    {
+        const py::gil_scoped_release free;
+        require_finite(parameters);
+        std::vector<double> values(parameters.size() * static_cast<std::size_t>(curve.dim()));
+        if (nu == 0) curve.jets(parameters, 0, values);
+        else derivative(curve, parameters, nu, values);
+        const double factor = covariance->factor(percent);
+        for (std::size_t i = 0; i < parameters.size(); ++i) {
+            const double value = values[(i + 1) * static_cast<std::size_t>(curve.dim()) - 1];
+            const double half = factor * covariance->deviation(parameters[i], nu);
+            if (!std::isfinite(value - half) || !std::isfinite(value + half)) {
+                throw Error("number.overflow", "band", format_number(half),
+                            "is beyond the range of a double");
+            }
+            lo[i] = value - half;
+            hi[i] = value + half;
+        }
+    }
+    return py::make_tuple(lower, upper);
+}
+
 std::string json_of(const Curve& curve) { return dump_json(curve_value(curve)); }
 
 Curve from_json(const std::string& text) { return curve_of(parse_json(text, "curve"), "curve"); }
@@ -119,6 +158,9 @@ void bind_curve(py::module_& module) {
              "end pieces go on. `out`, float64 in C order, is written to where given.")
         .def("jets", &jets, py::arg("t"), py::arg("order"), py::arg("out") = py::none(),
              "Points and derivatives up to `order`: an array of t.shape + (order + 1, dim).")
+        .def("band", &band_of, py::arg("t"), py::arg("nu") = 0, py::arg("percent") = 95.0,
+             "Lower and upper edge, at t (any shape), of the band that holds y (or a derivative of\n"
+             "it) with this probability at each t by itself. Curves of a fit y(x) only.")
         .def_property_readonly("dim", &Curve::dim, "number of coordinates")
         .def_property_readonly("pieces", &Curve::pieces, "number of smooth pieces")
         .def_property_readonly("degree", &Curve::degree,

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
 #include "batten/io/write_points.hpp"
+#include "batten/make/fit_bands.hpp"
 #include "batten/measure/coordinate.hpp"
 #include "batten/measure/line.hpp"
 #include "batten/measure/nearest.hpp"
@@ -23,6 +25,7 @@ struct EvaluateOptions {
     std::optional<int> count;
     int derivatives = 0;
     std::vector<double> integral;
+    std::optional<double> band;
     bool curvature = false;
     bool roots = false;
     bool extrema = false;
@@ -40,6 +43,9 @@ void visit_fields(Options& o, Visit&& visit) {
     visit("integral", o.integral, anything,
           "the integral of the last coordinate over the parameter from A to B; of a surface over "
           "X0,X1,Y0,Y1");
+    visit("band", o.band, between(1, 99.9999),
+          "percent: half the width of the band of the last coordinate and of all else that is asked "
+          "for; of curves by fit");
     visit("curvature", o.curvature, anything,
           "of a surface: its normal, Gaussian and mean curvature");
     visit("roots", o.roots, anything, "where the last coordinate is 0");
@@ -51,8 +57,11 @@ void visit_fields(Options& o, Visit&& visit) {
 struct EvaluateReport {
     std::size_t points = 0;
     std::optional<double> integral;
+    std::optional<double> integral_band;
     std::optional<std::vector<double>> roots;
+    std::optional<std::vector<std::optional<double>>> roots_band;
     std::optional<std::vector<Extremum>> extrema;
+    std::optional<std::vector<std::optional<double>>> extrema_band;
     std::optional<Nearest> nearest;
     std::optional<std::vector<LineIntersection>> intersections;
 };
@@ -61,8 +70,15 @@ template <class Visit>
 void visit_fields(const EvaluateReport& r, Visit&& visit) {
     visit("points", r.points, "number of parameters");
     if (r.integral) visit("integral", r.integral, "of the last coordinate over the parameter");
+    if (r.integral_band) visit("integral_band", r.integral_band, "half the width of its band");
     if (r.roots) visit("roots", r.roots, "parameters where the last coordinate is 0");
+    if (r.roots_band) {
+        visit("roots_band", r.roots_band, "half the width of each one's band; none at a touching");
+    }
     if (r.extrema) visit("extrema", r.extrema, "local extrema of the last coordinate");
+    if (r.extrema_band) {
+        visit("extrema_band", r.extrema_band, "the same of the places; none where it is flat");
+    }
     if (r.nearest) visit("nearest", r.nearest, "the nearest point of the curve");
     if (r.intersections) visit("intersections", r.intersections, "where the curve meets the line");
 }
@@ -97,6 +113,56 @@ std::vector<std::string> column_names(const Curve& curve, int derivatives) {
     return names;
 }
 
+/// Half the width of a band, in units of the deviation, and the deviations.
+struct Band {
+    const FitCovariance* covariance = nullptr;  ///< null: not asked for
+    double factor = 0;
+
+    double half(double deviation) const {
+        if (std::isfinite(factor * deviation)) return factor * deviation;
+        throw Error("number.overflow", "band", format_number(factor * deviation),
+                    "is beyond the range of a double");
+    }
+};
+
+Band band_asked(const Curve& curve, const EvaluateOptions& options) {
+    if (!options.band) return {};
+    const FitCovariance* covariance = covariance_of(curve);
+    if (!covariance) {
+        throw Error("curve.no-band", "band", format_number(*options.band),
+                    "the curve does not say how sure it is: take the file that fit y(x) writes, "
+                    "nothing made of it");
+    }
+    return {covariance, covariance->factor(*options.band)};
+}
+
+/// `rows` with half the width of the band of the last coordinate and of each derivative.
+Rows with_band(Rows rows, const Curve& curve, const Band& band, int derivatives) {
+    if (!band.covariance) return rows;
+    const std::size_t width = rows.names.size(), more = static_cast<std::size_t>(derivatives) + 1;
+    const std::string last = coordinate_names(curve.dim()).back();
+    for (int order = 0; order <= derivatives; ++order) {
+        rows.names.push_back((order == 0 ? last : "d" + std::to_string(order) + last) + "_band");
+    }
+    Points cells(rows.cells.size(), static_cast<int>(width + more));
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        std::copy(rows.cells[i].begin(), rows.cells[i].end(), cells[i].begin());
+        for (std::size_t order = 0; order < more; ++order) {
+            cells[i][width + order] = band.half(
+                band.covariance->deviation(rows.cells[i][0], static_cast<int>(order)));
+        }
+    }
+    rows.cells = std::move(cells);
+    return rows;
+}
+
+/// Of the place where the derivative number `order` is 0: |its error| / |the next derivative|.
+std::optional<double> half_of_place(const Curve& curve, const Band& band, double t, int order) {
+    const double slope = std::fabs(curve.jet(t, order + 1)[order + 1].back());
+    if (!(slope > 0)) return std::nullopt;
+    return band.half(band.covariance->deviation(t, order) / slope);
+}
+
 Rows values(const Curve& curve, std::span<const double> t, int derivatives) {
     const std::size_t width = static_cast<std::size_t>((derivatives + 1) * curve.dim());
     std::vector<double> jets(t.size() * width);
@@ -115,7 +181,23 @@ void require_numbers(const std::vector<double>& integral, std::size_t count, con
     throw Error("option.value", "integral", std::to_string(integral.size()) + " numbers", rule);
 }
 
-EvaluateReport answers(const Curve& curve, const EvaluateOptions& options) {
+void add_bands(EvaluateReport& report, const Curve& curve, const EvaluateOptions& options,
+               const Band& band) {
+    if (report.integral) {
+        const Interval part{options.integral[0], options.integral[1]};
+        report.integral_band = band.half(band.covariance->integral(part).deviation);
+    }
+    if (report.roots) report.roots_band.emplace();
+    for (const double t : report.roots.value_or(std::vector<double>())) {
+        report.roots_band->push_back(half_of_place(curve, band, t, 0));
+    }
+    if (report.extrema) report.extrema_band.emplace();
+    for (const Extremum& e : report.extrema.value_or(std::vector<Extremum>())) {
+        report.extrema_band->push_back(half_of_place(curve, band, e.t, 1));
+    }
+}
+
+EvaluateReport answers(const Curve& curve, const EvaluateOptions& options, const Band& band) {
     const int last = curve.dim() - 1;
     EvaluateReport report;
     if (!options.integral.empty()) {
@@ -124,6 +206,7 @@ EvaluateReport answers(const Curve& curve, const EvaluateOptions& options) {
     }
     if (options.roots) report.roots = roots(curve, last, 0);
     if (options.extrema) report.extrema = extrema(curve, last);
+    if (band.covariance) add_bands(report, curve, options, band);
     if (!options.nearest.empty()) report.nearest = nearest(curve, options.nearest);
     if (!options.line.empty()) {
         if (options.line.size() != 4) {
@@ -145,8 +228,9 @@ Drawing picture(const Curve& curve, const std::vector<double>& t) {
 }
 
 Outcome run_surface(const Surface& surface, const EvaluateOptions& options) {
-    if (options.roots || options.extrema || !options.nearest.empty() || !options.line.empty()) {
-        throw Error("surface.option", "evaluate", "roots, extrema, nearest or line",
+    if (options.roots || options.extrema || options.band || !options.nearest.empty() ||
+        !options.line.empty()) {
+        throw Error("surface.option", "evaluate", "roots, extrema, band, nearest or line",
                     "these are asked of curves");
     }
     constexpr int usual_count = 33;
@@ -182,18 +266,25 @@ Outcome run(std::span<const Input> inputs, const EvaluateOptions& options) {
     }
     const Curve& curve = curve_input(inputs);
     const std::vector<double> t = parameters(curve, options);
-    EvaluateReport report = answers(curve, options);
+    const Band band = band_asked(curve, options);
+    EvaluateReport report = answers(curve, options, band);
     report.points = t.size();
-    return {values(curve, t, options.derivatives), Status::met, {}, report_value(report),
+    return {with_band(values(curve, t, options.derivatives), curve, band, options.derivatives),
+            Status::met, {}, report_value(report),
             [curve, t] { return picture(curve, t); }};
 }
 
 }  // namespace
 
 Operation evaluate_row() {
-    return row<EvaluateOptions>({"evaluate", "points, derivatives, integrals, roots and extrema",
-                                 InputKind::curve_or_surface, OutputKind::rows},
-                                run);
+    Operation evaluate =
+        row<EvaluateOptions>({"evaluate", "points, derivatives, integrals, roots and extrema",
+                              InputKind::curve_or_surface, OutputKind::rows},
+                             run);
+    for (Field& field : evaluate.fields) {
+        if (field.name == "band") field.bare = "95";
+    }
+    return evaluate;
 }
 
 }  // namespace batten::api

@@ -177,7 +177,8 @@ bool is_continuous(const SplineFunction& spline) {
 Output output_of(const FitData& data, Fit& made) {
     if (is_continuous(made.spline)) {
         const bool is_constant = made.spline.degree() == 0;
-        return graph(is_constant ? elevate_degree(made.spline) : made.spline);
+        const Curve curve = graph(is_constant ? elevate_degree(made.spline) : made.spline);
+        return made.report.undetermined.empty() ? with_covariance(curve, made.covariance) : curve;
     }
     made.report.notes.push_back("the spline has jumps and is no curve: written as rows");
     return residual_rows(data, made.spline);

@@ -8,6 +8,15 @@
 
 namespace batten::num {
 
+BandedQr::BandedQr(BandShape shape, std::span<const double> rows,
+                   std::span<const double> border_rows) {
+    assert(shape.sides == 0);
+    restart(shape);
+    assert(rows.size() == rows_.size() && border_rows.size() == border_.size());
+    std::copy(rows.begin(), rows.end(), rows_.begin());
+    std::copy(border_rows.begin(), border_rows.end(), border_.begin());
+}
+
 void BandedQr::restart(BandShape shape) {
     assert(shape.width <= shape.columns || shape.border > 0);
     shape_ = shape;

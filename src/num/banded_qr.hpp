@@ -27,6 +27,10 @@ public:
     BandedQr() = default;
     explicit BandedQr(BandShape shape) { restart(shape); }
 
+    /// A triangle that was kept, without sides: columns rows of width + border numbers each, then
+    /// border rows of border numbers.
+    BandedQr(BandShape shape, std::span<const double> rows, std::span<const double> border_rows);
+
     /// Forgets everything; keeps the memory.
     void restart(BandShape shape);
     /// Takes in `rows` rows of row_width() numbers each, whose band part stands in columns

@@ -212,7 +212,11 @@ TEST(FitCurveRefuses, WhatMakesNoSenseForACurve) {
     EXPECT_EQ(code(Points({1, 1, 1, 1, 1, 1, 1, 1, 1, 1}, 2), {}), "points.all-equal points");
     FitOptions options;
     options.monotone = Direction::up;
-    EXPECT_EQ(code(points, options), "fit.options limits");
+    EXPECT_EQ(code(points, options), "fit.options monotone, convex");
+    options = {};
+    options.end_slope = 1;
+    EXPECT_EQ(code(points, options),
+              "fit.options start_value, start_slope, end_value, end_slope");
     options = {};
     options.degree = 0;
     EXPECT_EQ(code(points, options), "fit.options degree");

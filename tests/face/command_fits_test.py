@@ -82,6 +82,35 @@ class Fits(Folder):
         self.good("fit", points("violin.csv"), "--parametric", "--sigma", "2", "-o",
                   self.path("v.csv"), "--draw", self.path("v.svg"))
 
+    def test_the_file_of_a_fit_knows_its_bands(self):
+        made = self.report("fit", fits("titanium.csv"), "--knots", "835,865,880,895,910,955", "-o",
+                           self.path("t.json"))["report"]
+        band = made["covariance_band"]
+        at = [band["x"][i] for i in (0, 50, 137, 200)]
+        where = ",".join(repr(x) for x in at)
+        rows = self.good("evaluate", self.path("t.json"), "--at", where, "--derivatives", "1",
+                         "--band").stdout.splitlines()
+        self.assertEqual(rows[0], "t,x,y,d1x,d1y,y_band,d1y_band")
+        for row, i in zip(rows[1:], (0, 50, 137, 200)):
+            cells = [float(cell) for cell in row.split(",")]
+            self.assertAlmostEqual(cells[2] + cells[5], band["upper"][i], 12)
+            self.assertGreater(cells[6], 0)
+        asked = ("evaluate", self.path("t.json"), "--integral", "595,1075", "--roots", "--extrema",
+                 "-o", self.path("e.csv"), "--band")
+        answers = self.report(*asked, "68.26894921370859")["report"]
+        self.assertAlmostEqual(answers["integral_band"], made["integral"]["deviation"], 9)
+        self.assertEqual(answers["roots_band"], [])
+        for half, extremum in zip(answers["extrema_band"], made["extrema"]):
+            self.assertAlmostEqual(half, extremum["deviation"], 9)
+        wide = self.report(*asked, "99")["report"]
+        self.assertGreater(wide["integral_band"], 2.5 * answers["integral_band"])
+
+    def test_a_band_is_refused_of_curves_that_have_none(self):
+        self.good("fit", fits("titanium.csv"), "-o", self.path("t.json"))
+        self.good("convert", self.path("t.json"), "--trim", "600,700", "-o", self.path("part.json"))
+        self.refused("curve.no-band", "evaluate", self.path("part.json"), "--band")
+        self.refused("option.range", "evaluate", self.path("t.json"), "--band", "100")
+
     def test_pictures_are_drawn_for_every_kind_of_knots(self):
         for knots in ("auto", "equal", "free", "pruned"):
             self.good("fit", fits("titanium.csv"), "--knots", knots, "-o", self.path("t.csv"),

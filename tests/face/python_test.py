@@ -111,6 +111,22 @@ class Splines(unittest.TestCase):
         self.assertTrue(numpy.abs(s(self.x, 1) - numpy.cos(self.x)).max() < 1e-2)
         self.assertTrue(numpy.allclose(s(self.x), self.curve(self.x)[:, 1], rtol=0, atol=1e-14))
 
+    def test_the_curve_of_a_fit_knows_its_bands(self):
+        made = batten.fit({"x": self.x, "y": numpy.sin(self.x)}, sigma="0.01", knots="equal",
+                          intervals=8)
+        band = made.report["covariance_band"]
+        x = numpy.array(band["x"])
+        for curve in (made.curve, batten.Curve.from_json(made.curve.to_json()),
+                      pickle.loads(pickle.dumps(made.curve))):
+            lower, upper = curve.band(x)
+            self.assertTrue(numpy.allclose(lower, band["lower"], rtol=0, atol=1e-12))
+            self.assertTrue(numpy.allclose(upper, band["upper"], rtol=0, atol=1e-12))
+        lower, upper = made.curve.band(x, nu=1, percent=99)
+        self.assertTrue(numpy.all((lower < numpy.cos(x)) & (numpy.cos(x) < upper)))
+        rows = batten.evaluate(made.curve, at=[1, 2], band=95).rows()
+        lower, upper = made.curve.band([1, 2])
+        self.assertTrue(numpy.allclose(2 * rows["y_band"], upper - lower))
+
     def test_integrals_roots_and_extrema_are_those_of_the_sine(self):
         s = self.spline
         self.assertAlmostEqual(s.integrate(0, numpy.pi), 2, places=3)
@@ -336,6 +352,9 @@ class Errors(unittest.TestCase):
         nan = numpy.array([[0, 0], [1, numpy.nan], [2, 0]])
         self.refused("points.not-finite", lambda: batten.interpolate(nan))
         self.refused("points.not-finite", lambda: batten.fit(nan))
+        line = batten.interpolate([[0, 0], [1, 1], [2, 0]]).curve
+        self.refused("curve.no-band", lambda: line.band(0.5))
+        self.refused("option.range", lambda: line.band(0.5, percent=100))
         self.refused("points.not-finite", lambda: batten.fair({"x": nan[:, 0], "y": nan[:, 1]}))
         self.refused("points.not-finite", lambda: batten.compare(batten.interpolate(ZIGZAG), to=nan))
 

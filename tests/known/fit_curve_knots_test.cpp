@@ -146,6 +146,25 @@ TEST(FreeCurve, LiesNearerThanEqualKnotsOpenAndClosed) {
     }
 }
 
+TEST(CurveWithinATolerance, HasFewPiecesAndNoPointFurtherAway) {
+    const Points points = rounded_rectangle(200, 0.005, 2);
+    for (const bool is_closed : {true, false}) {
+        FitOptions options;
+        options.closed = is_closed;
+        options.tolerance = absolute(0.05);
+        const CurveFit made = fit_curve(points, {}, options);
+        EXPECT_EQ(made.report.status, Status::met);
+        EXPECT_LE(made.report.intervals, 20);
+        const Curve curve(made.curve);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const std::vector<double> at = curve(made.parameters[i]);
+            EXPECT_LE(std::hypot(at[0] - points(i, 0), at[1] - points(i, 1)), 0.05 * (1 + 1e-12));
+        }
+        options.tolerance = absolute(0.5);
+        EXPECT_LT(fit_curve(points, {}, options).report.intervals, made.report.intervals);
+    }
+}
+
 TEST(FreeKnots, MoveOnClosedSplinesToo) {
     testing::FitTable table;
     Noise noise(6);

@@ -22,6 +22,9 @@ class Curve:
     def jets(
         self, t: ArrayLike, order: int, out: NDArray[float64] | None = None
     ) -> NDArray[float64]: ...
+    def band(
+        self, t: ArrayLike, nu: int = 0, percent: float = 95.0
+    ) -> tuple[NDArray[float64], NDArray[float64]]: ...
     @property
     def dim(self) -> int: ...
     @property

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "batten/base/interval.hpp"
+#include "batten/shape/curve.hpp"
 #include "batten/shape/spline_function.hpp"
 
 namespace batten {
@@ -37,6 +38,8 @@ public:
     double scale() const;
     /// How many standard deviations a two-sided 95 % band is wide on each side.
     double factor_95() const;
+    /// The same for another percentage, above 0 and below 100.
+    double factor(double percent) const;
     /// Standard deviation of S(x) or of a derivative of it. Cost: O(degree^2); closed O(p degree).
     double deviation(double x, int derivative = 0) const;
     /// Cov(c_i, c_j). Cost: O(p degree).
@@ -52,8 +55,15 @@ public:
     /// Cost: O(count pieces p degree).
     std::vector<double> suggest(int count, double sigma) const;
 
+    const Model& model() const { return *model_; }
+
 private:
     std::shared_ptr<const Model> model_;
 };
+
+/// The graph of a fit, which knows how sure it is: files keep it, curves made of it do not have it.
+Curve with_covariance(const Curve& graph, FitCovariance covariance);
+/// What with_covariance said, or null.
+const FitCovariance* covariance_of(const Curve& curve);
 
 }  // namespace batten

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "batten/base/interval.hpp"
@@ -29,6 +30,13 @@ concept CurveShape =
         { c.degree() } -> std::convertible_to<std::optional<int>>;
         c.jets_on(piece, t, 0, out);
     };
+
+/// What somebody knows of a curve beyond its shape. It goes where the curve goes; a curve made of
+/// another has none.
+class CurveCompanion {
+public:
+    virtual ~CurveCompanion() = default;
+};
 
 /// Any curve: type-erased, immutable, cheap to copy, usable from many threads.
 class Curve {
@@ -74,6 +82,18 @@ public:
         return model ? &model->shape : nullptr;
     }
 
+    /// The same curve, accompanied.
+    Curve with(std::shared_ptr<const CurveCompanion> companion) const {
+        Curve curve = *this;
+        curve.companion_ = std::move(companion);
+        return curve;
+    }
+    /// The companion, if it is a T.
+    template <class T>
+    const T* companion() const {
+        return dynamic_cast<const T*>(companion_.get());
+    }
+
 private:
     struct Concept {
         virtual ~Concept() = default;
@@ -89,6 +109,7 @@ private:
     struct Model;
 
     std::shared_ptr<const Concept> model_;
+    std::shared_ptr<const CurveCompanion> companion_;
 };
 
 /// A curve from the user's own function. `function(t, order, out)` writes the value and the first

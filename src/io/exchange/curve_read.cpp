@@ -10,107 +10,19 @@
 #include "batten/shape/arc_chain.hpp"
 #include "batten/shape/bspline.hpp"
 #include "batten/shape/log_aesthetic.hpp"
+#include "batten/make/fit_bands.hpp"
+#include "io/exchange/curve_covariance.hpp"
+#include "io/exchange/entries.hpp"
 #include "io/tables/utf8.hpp"
 
 namespace batten {
 namespace {
 
+using exchange::Entries;
+using exchange::require_size;
+using exchange::shown;
+
 constexpr const char* format_name = "batten.curve/1";
-
-std::string shown(const Value* value) {
-    if (!value) return "missing";
-    if (const std::string* text = value->text()) return utf8::shown(*text);
-    if (const ValueList* list = value->list()) {
-        return "a list of " + std::to_string(list->size());
-    }
-    return value->map() ? "a map" : dump_json(*value, JsonStyle::one_line);
-}
-
-/// The entries of a curve's map, with errors that name them.
-class Entries {
-public:
-    Entries(const Value& tree, std::string place) : tree_(tree), place_(std::move(place)) {}
-
-    std::string place(const std::string& entry) const { return place_ + ", entry " + entry; }
-
-    bool has(const char* key) const { return tree_.find(key) != nullptr; }
-
-    bool truth(const char* key) const {
-        const Value* value = tree_.find(key);
-        if (!value) return false;
-        if (!value->truth()) throw wrong(key, value, "true or false is needed here");
-        return *value->truth();
-    }
-    int whole(const char* key) const {
-        const Value* value = tree_.find(key);
-        const long long* number = value ? value->integer() : nullptr;
-        if (!number || *number < 0 || *number > 1'000'000) {
-            throw wrong(key, value, "a whole number is needed here");
-        }
-        return static_cast<int>(*number);
-    }
-    const ValueList& list(const char* key) const {
-        const Value* value = tree_.find(key);
-        if (!value || !value->list()) throw wrong(key, value, "a list is needed here");
-        return *value->list();
-    }
-    std::vector<double> numbers(const char* key) const {
-        std::vector<double> result;
-        for (const Value& value : list(key)) {
-            if (!value.is_number()) throw wrong(at(key, result.size()), &value, number_rule);
-            result.push_back(value.number());
-        }
-        return result;
-    }
-    /// Appends `count` numbers from the list `value`, which stands at `entry`.
-    void append_row(std::vector<double>& to, const Value& value, std::size_t count,
-                    const std::string& entry) const {
-        const ValueList* row = value.list();
-        if (!row || row->size() != count) {
-            throw wrong(entry, &value,
-                        "a list of " + std::to_string(count) + " numbers is needed here");
-        }
-        for (const Value& cell : *row) {
-            if (!cell.is_number()) throw wrong(entry, &cell, number_rule);
-            to.push_back(cell.number());
-        }
-    }
-    /// Rows of the curve's dimension.
-    Points points(const char* key) const {
-        const ValueList& rows = list(key);
-        const ValueList* first = rows.empty() ? nullptr : rows[0].list();
-        const std::size_t stated = has("dimension") ? static_cast<std::size_t>(whole("dimension"))
-                                   : first          ? first->size()
-                                                    : 0;
-        if (rows.empty() || stated == 0) {
-            throw wrong(key, tree_.find(key), "a list of points [x, y, ...] is needed here");
-        }
-        std::vector<double> values;
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            append_row(values, rows[i], stated, at(key, i));
-        }
-        return {std::move(values), static_cast<int>(stated)};
-    }
-
-    static std::string at(const std::string& key, std::size_t index) {
-        return key + '[' + std::to_string(index) + ']';
-    }
-    Error wrong(const std::string& entry, const Value* value, std::string rule) const {
-        return {"curve.entry", place(entry), shown(value), std::move(rule)};
-    }
-
-private:
-    static constexpr const char* number_rule = "a number is needed here";
-
-    const Value& tree_;
-    std::string place_;
-};
-
-void require_size(const Entries& entries, const char* key, std::size_t size, std::size_t needed) {
-    if (size == needed) return;
-    throw Error("curve.entry", entries.place(key), "a list of " + std::to_string(size),
-                std::to_string(needed) + " entries are needed here");
-}
 
 /// Rounding leaves far less between a piece's end and the next point, or a closed curve's ends.
 constexpr double largest_gap = 1e-6;
@@ -246,7 +158,11 @@ Curve curve_of(const Value& tree, const std::string& place) {
     const std::string name = kind && kind->text() ? *kind->text() : std::string();
     try {
         if (name == "piecewise-cubic") return read_cubic(entries);
-        if (name == "b-spline") return read_bspline(entries);
+        if (name == "b-spline") {
+            Curve curve = read_bspline(entries);
+            return entries.has("fit") ? with_covariance(curve, exchange::covariance_in(entries))
+                                      : curve;
+        }
         if (name == "arcs") return read_arcs(entries);
         if (name == "log-aesthetic") return read_log_aesthetic(entries);
     } catch (const Error& error) {

@@ -6,6 +6,7 @@
 #include "batten/shape/bspline.hpp"
 #include "batten/shape/log_aesthetic.hpp"
 #include "batten/shape/transform.hpp"
+#include "io/exchange/curve_covariance.hpp"
 
 namespace batten {
 namespace {
@@ -99,7 +100,11 @@ Value log_aesthetic_value(const LogAestheticCurve& curve, const std::string& nam
 
 Value curve_value(const Curve& curve, const std::string& name) {
     if (const BSplineCurve* bspline = curve.shape<BSplineCurve>()) {
-        return bspline_value(*bspline, name);
+        Value value = bspline_value(*bspline, name);
+        if (const FitCovariance* covariance = covariance_of(curve)) {
+            value.map()->emplace_back("fit", exchange::covariance_value(*covariance));
+        }
+        return value;
     }
     if (const ArcChain* chain = curve.shape<ArcChain>()) return arcs_value(*chain, name);
     if (const LogAestheticCurve* arcs = curve.shape<LogAestheticCurve>()) {

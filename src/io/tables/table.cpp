@@ -159,7 +159,10 @@ std::vector<double> column_values(const Table& table, int column) {
 std::vector<double> column_errors(const Table& table, int column) {
     const std::size_t k = static_cast<std::size_t>(column);
     if (k < table.unusable.size() && table.unusable[k]) {
-        throw bad_cell(table, column, *table.unusable[k]);
+        const Error error = bad_cell(table, column, *table.unusable[k]);
+        if (error.code() != "points.not-finite") throw error;
+        throw Error(error.code(), error.place(), error.value(),
+                    "errors must be numbers above 0 (inf: no weight)", error.rows());
     }
     return column_of(table, column);
 }

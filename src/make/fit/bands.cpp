@@ -1,4 +1,5 @@
 #include "batten/make/fit_bands.hpp"
+#include "batten/make/fit_statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,10 +33,32 @@ bool is_constant(const SplineFunction& s) {
     return *hi - *lo <= rounding * std::max(std::fabs(*lo), std::fabs(*hi));
 }
 
+/// A fit's covariance beside its graph.
+struct Companion final : CurveCompanion {
+    explicit Companion(FitCovariance c) : covariance(std::move(c)) {}
+    FitCovariance covariance;
+};
+
 }  // namespace
 
+Curve with_covariance(const Curve& graph, FitCovariance covariance) {
+    return graph.with(std::make_shared<Companion>(std::move(covariance)));
+}
+
+const FitCovariance* covariance_of(const Curve& curve) {
+    const Companion* companion = curve.companion<Companion>();
+    return companion ? &companion->covariance : nullptr;
+}
+
 double FitCovariance::scale() const { return model_->width.scale; }
-double FitCovariance::factor_95() const { return model_->width.factor; }
+double FitCovariance::factor_95() const { return factor(95); }
+
+double FitCovariance::factor(double percent) const {
+    constexpr double normal_95 = 1.959963984540054;
+    const double tail = 1 - percent / 100, degrees = model_->width.degrees;
+    if (percent == 95 && degrees == 0) return normal_95;
+    return degrees > 0 ? student_quantile(tail, degrees) : std::sqrt(chi2_quantile(tail, 1));
+}
 
 double FitCovariance::deviation(double x, int derivative) const {
     return std::sqrt(mixed_variance(

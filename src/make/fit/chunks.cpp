@@ -111,7 +111,7 @@ Fit FitChunk::solve() const {
     fill_spline(report, spline);
     report.sigma_source = SigmaSource::column;
     const FitCovariance covariance(std::make_shared<FitCovariance::Model>(
-        FitCovariance::Model{CoefficientLaw(spline, fixed.system, fixed.functions), {}, {}}));
+        FitCovariance::Model{CoefficientLaw(spline, fixed.system), {}, {}}));
     if (report.undetermined.empty()) fill_band(report, spline, covariance);
     return {std::move(spline), covariance, std::move(report)};
 }

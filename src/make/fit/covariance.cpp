@@ -7,9 +7,9 @@
 #include "num/gauss.hpp"
 
 namespace batten::fitting {
-CoefficientLaw::CoefficientLaw(SplineFunction spline, KnotSystem system, int functions,
+CoefficientLaw::CoefficientLaw(SplineFunction spline, const KnotSystem& system,
                                const std::vector<std::vector<double>>& held)
-    : spline_(std::move(spline)), system_(std::move(system)), functions_(functions) {
+    : spline_(std::move(spline)), qr_(system.qr()) {
     for (const std::vector<double>& form : held) {
         // Twice is enough [GolubVanLoan2013, 5.2.8].
         std::vector<double> v = without_known(without_known(forward(form)));
@@ -20,7 +20,17 @@ CoefficientLaw::CoefficientLaw(SplineFunction spline, KnotSystem system, int fun
         for (double& x : v) x /= std::sqrt(sum);
         known_.push_back(std::move(v));
     }
-    if (system_.ends() == Ends::open && known_.empty()) band_ = system_.qr().inverse_band(system_.qr().shape().width);
+    find_band();
+}
+
+CoefficientLaw::CoefficientLaw(SplineFunction spline, num::BandedQr qr,
+                               std::vector<std::vector<double>> known)
+    : spline_(std::move(spline)), qr_(std::move(qr)), known_(std::move(known)) {
+    find_band();
+}
+
+void CoefficientLaw::find_band() {
+    if (!spline_.is_closed() && known_.empty()) band_ = qr_.inverse_band(qr_.shape().width);
 }
 
 std::vector<double> CoefficientLaw::without_known(std::vector<double> v) const {
@@ -33,7 +43,9 @@ std::vector<double> CoefficientLaw::without_known(std::vector<double> v) const {
 }
 
 std::size_t CoefficientLaw::unknown(int c) const {
-    return static_cast<std::size_t>(system_.unknown(c % functions_));
+    const num::BandShape& band = qr_.shape();
+    const int j = c % functions();
+    return static_cast<std::size_t>(j < band.border ? band.columns + j : j - band.border);
 }
 
 CoefficientLaw::Functions CoefficientLaw::functions_at(double x, int derivative) const {
@@ -50,16 +62,16 @@ CoefficientLaw::Functions CoefficientLaw::functions_at(double x, int derivative)
 }
 
 std::vector<double> CoefficientLaw::spread(const Functions& f) const {
-    std::vector<double> a(static_cast<std::size_t>(functions_), 0.0);
+    std::vector<double> a(static_cast<std::size_t>(functions()), 0.0);
     for (std::size_t j = 0; j < f.values.size(); ++j) {
-        const int coefficient = (f.first + static_cast<int>(j)) % functions_;
+        const int coefficient = (f.first + static_cast<int>(j)) % functions();
         a[unknown(coefficient)] += f.values[j];
     }
     return a;
 }
 
 std::vector<double> CoefficientLaw::forward(std::vector<double> a) const {
-    const num::BandedQr& qr = system_.qr();
+    const num::BandedQr& qr = qr_;
     const int width = qr.shape().width, columns = qr.shape().columns, border = qr.shape().border;
     for (int j = 0; j < columns; ++j) {
         const double* const r = qr.row(j);
@@ -77,19 +89,19 @@ std::vector<double> CoefficientLaw::forward(std::vector<double> a) const {
 
 std::vector<double> CoefficientLaw::apply(std::vector<double> a) const {
     const std::vector<double> y = forward(std::move(a));
-    const num::BandedQr& qr = system_.qr();
     std::vector<double> x(y.size());
-    qr.solve_for(y, x);
+    qr_.solve_for(y, x);
     return x;
 }
 
 std::vector<double> CoefficientLaw::coefficients() const {
-    const num::BandedQr& qr = system_.qr();
-    std::vector<double> z(static_cast<std::size_t>(functions_));
-    for (int j = 0; j < functions_; ++j) z[static_cast<std::size_t>(j)] = qr.row(j)[qr.shape().width];
+    std::vector<double> z(static_cast<std::size_t>(functions()));
+    for (int j = 0; j < functions(); ++j) {
+        z[static_cast<std::size_t>(j)] = qr_.row(j)[qr_.shape().width];
+    }
     z = without_known(std::move(z));
     std::vector<double> c(z.size());
-    qr.solve_for(z, c);
+    qr_.solve_for(z, c);
     return c;
 }
 
@@ -101,7 +113,7 @@ double CoefficientLaw::variance(double x, int derivative) const {
         return sum;
     }
     const int order = spline_.degree() + 1;
-    const int width = system_.qr().shape().width;
+    const int width = qr_.shape().width;
     for (int i = 0; i < order; ++i) {
         const double* const row = band_.data() + (f.first + i) * width;
         sum += f.values[i] * f.values[i] * row[0];
@@ -111,7 +123,7 @@ double CoefficientLaw::variance(double x, int derivative) const {
 }
 
 double CoefficientLaw::integral_variance(Interval part) const {
-    std::vector<double> a(static_cast<std::size_t>(functions_), 0.0);
+    std::vector<double> a(static_cast<std::size_t>(functions()), 0.0);
     const num::GaussRule rule = num::gauss_legendre(spline_.degree() / 2 + 1);
     for (std::size_t i = 0; i < spline_.pieces(); ++i) {
         const Interval piece{std::max(part.lo, spline_.breaks()[i]),

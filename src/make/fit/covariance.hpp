@@ -16,8 +16,11 @@ class CoefficientLaw {
 public:
     /// `held`: linear forms of the coefficients that are known exactly; what they say is not in
     /// doubt any more.
-    CoefficientLaw(SplineFunction spline, KnotSystem system, int functions,
+    CoefficientLaw(SplineFunction spline, const KnotSystem& system,
                    const std::vector<std::vector<double>>& held = {});
+    /// From what another one said of itself: spline(), qr() and known().
+    CoefficientLaw(SplineFunction spline, num::BandedQr qr,
+                   std::vector<std::vector<double>> known);
 
     /// The derivatives at x of the B-splines that are not zero there.
     struct Functions {
@@ -26,7 +29,10 @@ public:
     };
 
     const SplineFunction& spline() const { return spline_; }
-    int functions() const { return functions_; }
+    const num::BandedQr& qr() const { return qr_; }
+    /// R^-T of what is known exactly, made orthonormal.
+    const std::vector<std::vector<double>>& known() const { return known_; }
+    int functions() const { return qr_.shape().columns + qr_.shape().border; }
     Functions functions_at(double x, int derivative) const;
     /// The unknown that holds coefficient c.
     std::size_t unknown(int c) const;
@@ -37,7 +43,8 @@ public:
     std::vector<double> forward(std::vector<double> a) const;
     /// (R^T R)^-1 a.
     std::vector<double> apply(std::vector<double> a) const;
-    /// The best coefficients where every held form is 0. Open splines without border, side 0.
+    /// The best coefficients where every held form is 0. Open splines without border, side 0; not
+    /// of a law put together from parts, which has no sides.
     std::vector<double> coefficients() const;
     /// The variance of S(x) or of a derivative.
     double variance(double x, int derivative) const;
@@ -45,13 +52,13 @@ public:
     double integral_variance(Interval part) const;
 
 private:
+    void find_band();
     std::vector<double> without_known(std::vector<double> v) const;
 
     SplineFunction spline_;
-    KnotSystem system_;
-    int functions_;
+    num::BandedQr qr_;
     std::vector<double> band_;  ///< (R^T R)^-1 inside the band; open splines without held forms
-    std::vector<std::vector<double>> known_;  ///< R^-T held, made orthonormal
+    std::vector<std::vector<double>> known_;
 };
 
 /// A fit with other knots that the data find plausible too.
@@ -60,10 +67,11 @@ struct Alternative {
     CoefficientLaw law;
 };
 
-/// How wide: `scale` multiplies every deviation, `factor` those of a 95 % band.
+/// How wide: `scale` multiplies every deviation; bands are those of Student's t with so many
+/// degrees of freedom where sigma was estimated (0: it is known, and they are the normal ones).
 struct Width {
     double scale = 1;
-    double factor = 1.959963984540054;
+    double degrees = 0;
 };
 
 }  // namespace fitting

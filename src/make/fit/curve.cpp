@@ -16,19 +16,23 @@ namespace {
 
 using namespace fitting;
 
-void refuse_unless(bool is_good, const char* option) {
+void refuse_unless(bool is_good, const char* option, const char* rule) {
     if (is_good) return;
-    throw Error("fit.options", option, "given", "does not go with parametric curves");
+    throw Error("fit.options", option, "given", std::string("with parametric curves ") + rule);
 }
 
 void require_curve_options(const FitOptions& o) {
     require_options(o);
-    refuse_unless(o.stop != StopRule::distribution, "stop");
-    refuse_unless(!o.tolerance, "tolerance");
-    refuse_unless(o.sigma_model.empty(), "sigma_model");
-    refuse_unless(!has_limits(o), "limits");
-    refuse_unless(o.suggest == 0, "suggest");
-    refuse_unless(o.degree > 0, "degree");
+    refuse_unless(o.stop != StopRule::distribution, "stop",
+                  "a distance is not distributed as an error is: take bic or chi2");
+    refuse_unless(o.sigma_model.empty(), "sigma_model",
+                  "errors are those of both coordinates: take a number or a column for sigma");
+    const bool has_direction = o.monotone != Direction::free || o.convex != Direction::free;
+    refuse_unless(!has_direction, "monotone, convex", "there is no up or down: fit y(x)");
+    refuse_unless(!has_limits(o), "start_value, start_slope, end_value, end_slope",
+                  "the ends are held by their points: give these a small sigma");
+    refuse_unless(o.suggest == 0, "suggest", "there is no band to narrow: fit y(x)");
+    refuse_unless(o.degree > 0, "degree", "there are no jumps: take degree 1 or more");
 }
 
 bool is_dropped(double factor) { return std::isinf(factor); }
@@ -183,7 +187,10 @@ CurveFit fit_curve(PointsView points, std::span<const double> sigma, const FitOp
     Part part = part_of(points, sigma, std::move(rows));
     const std::vector<std::size_t> isolated = isolated_rows(part, options);
     if (!isolated.empty()) part = part_of(points, sigma, without(part.rows, isolated));
-    require_enough(part.points.size(), 2);
+    if (part.points.size() < 2) {
+        throw Error("fit.too-few", "samples", std::to_string(part.points.size()),
+                    "there must be at least two with weight");
+    }
     CurveSearch search(part.points, part.sigma, options);
     search.run();
     const std::vector<SplineFunction> curve = search.curve();

@@ -22,6 +22,7 @@ CurveSearch::CurveSearch(PointsView points, std::span<const double> sigma,
     : options_(options), problem_(points, sigma, options), basis_(options.degree + 1) {}
 
 void CurveSearch::run() {
+    if (options_.tolerance) return run_within_tolerance();
     // Free knots take long to find: parameters are corrected over inserted ones first.
     FitOptions first = options_;
     const bool is_free = options_.knots == KnotPlacement::free;
@@ -65,6 +66,28 @@ void CurveSearch::choose(const FitOptions& options) {
     std::vector<double> factors = here_ ? std::move(here_->factors) : std::vector<double>();
     here_ = weighted_fit(choice_.knots, std::move(factors));
     correct();
+}
+
+/// Knots for the parameters, parameters for the knots, as long as fewer will do. No correction comes
+/// last: it would lower the sum of squares and might raise the largest distance.
+void CurveSearch::run_within_tolerance() {
+    choice_ = choose_knots(problem_.samples(), basis_, options_);
+    here_ = weighted_fit(choice_.knots, {});
+    for (int round = 0; round < options_.corrections; ++round) {
+        const WeightedFit before = *here_;
+        std::vector<double> t = problem_.parameters();
+        correct();
+        KnotChoice next = choose_knots(problem_.samples(), basis_, options_);
+        const bool is_better = next.is_met && (!choice_.is_met ||
+                                               next.knots.size() < before.fixed.knots.size());
+        if (!is_better) {
+            here_ = before;
+            problem_.restore(std::move(t));
+            return;
+        }
+        choice_ = std::move(next);
+        here_ = weighted_fit(choice_.knots, {});
+    }
 }
 
 std::vector<SplineFunction> CurveSearch::curve() const {

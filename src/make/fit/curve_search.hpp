@@ -33,6 +33,7 @@ public:
 
 private:
     void choose(const FitOptions& options);
+    void run_within_tolerance();
     void correct();
     void move_on();
     FixedFit solved(const Samples& samples, std::vector<double> knots,

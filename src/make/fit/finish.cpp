@@ -61,9 +61,10 @@ void note_what_sigma_hides(FitReport& report) {
 
 void fill_band(FitReport& report, const SplineFunction& spline, const FitCovariance& covariance) {
     const Interval domain = spline.domain();
+    const double factor = covariance.factor_95();
     for (int i = 0; i < band_points; ++i) {
         const double x = domain.clamp(domain.lo + domain.length() * (i / (band_points - 1.0)));
-        const double half = covariance.factor_95() * covariance.deviation(x);
+        const double half = factor * covariance.deviation(x);
         report.covariance_band.x.push_back(x);
         report.covariance_band.lower.push_back(spline(x) - half);
         report.covariance_band.upper.push_back(spline(x) + half);

@@ -67,7 +67,7 @@ Width width_of(const FitReport& report) {
     const double degrees = static_cast<double>(report.samples) - report.parameters;
     if (report.sigma_source == SigmaSource::estimated && degrees > 0) {
         width.scale = std::sqrt(report.sigma2.value_or(1));
-        width.factor = student_quantile(0.05, degrees);
+        width.degrees = degrees;
     }
     width.scale *= std::sqrt(static_cast<double>(report.parameters_charged) / report.parameters);
     return width;
@@ -90,8 +90,7 @@ std::vector<Alternative> limited(std::vector<Alternative> alternatives, const Sa
         const std::span<const double> knots = a.law.spline().knots();
         FixedFit fixed = solve_fixed(samples, {knots.begin(), knots.end()}, basis, Ends::open);
         if (!limit(fixed, options)) continue;
-        kept.push_back({a.weight, CoefficientLaw(spline_of(fixed), fixed.system, fixed.functions,
-                                                 fixed.held)});
+        kept.push_back({a.weight, CoefficientLaw(spline_of(fixed), fixed.system, fixed.held)});
         sum += a.weight;
     }
     for (Alternative& a : kept) a.weight /= sum;
@@ -202,8 +201,7 @@ Fit fit(const FitSamples& given, const FitOptions& options) {
     SplineFunction spline = spline_of(all.last.fixed);
     FitReport report = report_of(all, spline);
     const FitCovariance covariance(std::make_shared<FitCovariance::Model>(FitCovariance::Model{
-        CoefficientLaw(spline, all.last.fixed.system, all.last.fixed.functions,
-                       all.last.fixed.held),
+        CoefficientLaw(spline, all.last.fixed.system, all.last.fixed.held),
         limited(std::move(all.choice.alternatives), used, basis, options), width_of(report)}));
     if (report.undetermined.empty()) fill_band(report, spline, covariance);
     if (options.suggest > 0) {

@@ -154,7 +154,7 @@ private:
             growth_.restart(path_.breaks[i]);
             growth_.refit();
             path_.alternatives.push_back(
-                {weight, CoefficientLaw(spline_of(growth_), growth_.system(), growth_.functions())});
+                {weight, CoefficientLaw(spline_of(growth_), growth_.system())});
             sum += weight;
         }
         for (Alternative& a : path_.alternatives) a.weight /= sum;

@@ -206,7 +206,10 @@ Samples prepared(const FitSamples& given, const FitOptions& options) {
     samples.x = given.x;
     samples.sides = {given.y};
     choose_sigma(samples, given, look, options);
-    if (given.x.empty()) throw Error("fit.too-few", "samples", "0", "there must be samples");
+    if (given.x.size() < 2) {
+        throw Error("fit.too-few", "samples", std::to_string(given.x.size()),
+                    "there must be at least two");
+    }
     if (look.falls || samples.has_weightless) {
         const auto [lo, hi] = std::minmax_element(given.x.begin(), given.x.end());
         samples.range = {*lo, *hi};
@@ -214,7 +217,7 @@ Samples prepared(const FitSamples& given, const FitOptions& options) {
     } else {
         samples.range = {given.x.front(), given.x.back()};
     }
-    if (!(samples.range.lo < samples.range.hi) && given.x.size() > 1) {
+    if (!(samples.range.lo < samples.range.hi)) {
         throw Error("fit.x-equal", "x", format_number(samples.range.lo),
                     "the abscissae must not all be equal");
     }

@@ -5,6 +5,7 @@
 
 #include "make/fit/fixed_fit.hpp"
 #include "make/fit/knot_descent.hpp"
+#include "make/fit/residuals.hpp"
 
 namespace batten::fitting {
 namespace {
@@ -29,13 +30,12 @@ public:
                                               : open_knots(samples_.range, inner, basis_.order()),
                         basis_, ends_);
         if (!fixed.undetermined.empty()) return false;
-        spline_.emplace(spline_of(fixed));
-        residuals_.resize(samples_.size());
-        spline_->evaluate(samples_.x, 0, residuals_);
+        splines_ = splines_of(fixed, samples_.sides.size());
+        parameters_ = fixed.functions * static_cast<int>(splines_.size());
+        residuals_ = residuals_of(samples_, splines_);
         delta2_ = 0;
         largest_ = 0;
         for (std::size_t i = 0; i < residuals_.size(); ++i) {
-            residuals_[i] = samples_.sides[0][i] - residuals_[i];
             const double e = residuals_[i] / samples_.sigma_at(i);
             delta2_ += e * e;
             largest_ = std::max(largest_, std::fabs(residuals_[i]));
@@ -44,7 +44,7 @@ public:
     }
     bool is_within() const { return largest_ <= tolerance_; }
     double delta2() const { return delta2_; }
-    int functions() const { return static_cast<int>(spline_->coefficients().size()); }
+    int parameters() const { return parameters_; }
 
     /// The middle sample's abscissa of every interval with a residual above the tolerance, the
     /// worst interval's first. Knots at samples: so the last of them can interpolate.
@@ -81,12 +81,14 @@ public:
     std::vector<std::size_t> by_jump(const std::vector<double>& breaks) const {
         std::vector<double> jump(breaks.size(), 0.0);
         std::vector<std::size_t> order;
-        const int degree = spline_->degree();
+        const int degree = basis_.order() - 1;
         for (std::size_t i = 1; i + 1 < breaks.size(); ++i) {
             const double reach = std::min(breaks[i] - breaks[i - 1], breaks[i + 1] - breaks[i]);
-            jump[i] = std::fabs(spline_->value_on(i, breaks[i], degree) -
-                                spline_->value_on(i - 1, breaks[i], degree)) *
-                      std::pow(reach, degree);
+            for (const SplineFunction& s : splines_) {
+                jump[i] += std::fabs(s.value_on(i, breaks[i], degree) -
+                                     s.value_on(i - 1, breaks[i], degree)) *
+                           std::pow(reach, degree);
+            }
             order.push_back(i);
         }
         std::stable_sort(order.begin(), order.end(),
@@ -99,8 +101,9 @@ private:
     const LocalBasis& basis_;
     Ends ends_;
     double tolerance_;
-    std::optional<SplineFunction> spline_;
+    std::vector<SplineFunction> splines_;
     std::vector<double> residuals_;
+    int parameters_ = 0;
     double largest_ = 0, delta2_ = 0;
 };
 
@@ -178,14 +181,18 @@ std::vector<double> moved_and_thinned(Sieve& sieve, FreeFit& fit, std::vector<do
 
 KnotChoice knots_within(const Samples& samples, const LocalBasis& basis,
                         const FitOptions& options) {
-    const auto [lo, hi] = std::minmax_element(samples.sides[0].begin(), samples.sides[0].end());
+    double extent = 0;
+    for (const std::span<const double> side : samples.sides) {
+        const auto [lo, hi] = std::minmax_element(side.begin(), side.end());
+        extent = std::max(extent, *hi - *lo);
+    }
     const Ends ends = ends_of(options);
-    Sieve sieve(samples, basis, ends, options.tolerance->in_units(*hi - *lo));
+    Sieve sieve(samples, basis, ends, options.tolerance->in_units(extent));
     std::vector<double> breaks{samples.range.lo, samples.range.hi};
     KnotChoice choice;
     choice.by_data = true;
     while (sieve.fit(breaks)) {
-        choice.path.push_back(step_of(sieve.delta2(), samples.size(), sieve.functions(),
+        choice.path.push_back(step_of(sieve.delta2(), samples.values(), sieve.parameters(),
                                       static_cast<int>(breaks.size()) - 1,
                                       samples.sigma_known ? SigmaKnowledge::known
                                                           : SigmaKnowledge::unknown));
@@ -197,8 +204,8 @@ KnotChoice knots_within(const Samples& samples, const LocalBasis& basis,
     choice.is_met = sieve.fit(breaks) && sieve.is_within();
     if (choice.is_met) {
         breaks = thinned(sieve, std::move(breaks));
-        if (ends == Ends::open && basis.order() > 1) {
-            FreeFit fit(samples, basis);
+        if (basis.order() > 1) {
+            FreeFit fit(samples, basis, ends);
             const std::vector<double> moved = moved_and_thinned(sieve, fit, breaks);
             choice.moved = moved.size() < breaks.size() ? static_cast<int>(moved.size()) - 2 : 0;
             breaks = moved;
