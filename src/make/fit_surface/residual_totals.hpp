@@ -24,8 +24,9 @@ class ResidualTotals {
 public:
     struct Sums {
         std::array<double, num::lanes> delta2{};
-        std::array<double, num::lanes> highest{}, lowest{};  ///< in data units, where there is a weight
-        std::array<std::array<double, num::lanes>, 3> beyond{};  ///< one, two, three deviations
+        std::array<double, num::lanes> highest{}, lowest{};  ///< data units, where weight is
+        /// Beyond one, two, three standard deviations.
+        std::array<std::array<double, num::lanes>, 3> beyond{};
     };
 
     /// Takes in a piece; e, which may be where its heights or z are, becomes its weighted residuals.
