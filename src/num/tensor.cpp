@@ -41,9 +41,7 @@ public:
             at_[i] = lines_.data() + ((first + i) % order_) * reach_;
         }
     }
-    void combine_at(const double* factors, PlaceRange columns, double* out) const {
-        combine(at_.data(), factors, order_, columns, out);
-    }
+    const double* const* present() const { return at_.data(); }
 
 private:
     const Tensor& tensor_;
@@ -96,26 +94,22 @@ void Tensor::expand(std::span<const double> c, PlaceRange rows, std::span<double
         lines.go_to(x_->first[few.first]);
         for (std::size_t s = 0; s < places; s += block) {
             for (std::size_t r = few.first; r < few.last; ++r) {
-                lines.combine_at(x_->at(r), {s, std::min(places, s + block)},
-                                 out.data() + (r - rows.first) * places + s);
+                combine(lines.present(), x_->at(r), static_cast<std::size_t>(x_->order),
+                        {s, std::min(places, s + block)},
+                        out.data() + (r - rows.first) * places + s);
             }
         }
     }
 }
 
-void Tensor::for_each_piece(std::span<const double> c, PlaceRange rows, const Visit& visit) const {
+void Tensor::for_each_block(std::span<const double> c, const Visit& visit) const {
     const std::size_t places = y_->places();
-    AlignedNumbers values(block);
     Lines lines(*this, c);
-    for (PlaceRange few; few.last < rows.last;) {
-        few = rows_alike(std::max(few.last, rows.first), rows.last);
+    for (PlaceRange few; few.last < x_->places();) {
+        few = rows_alike(few.last, x_->places());
         lines.go_to(x_->first[few.first]);
         for (std::size_t s = 0; s < places; s += block) {
-            const PlaceRange columns{s, std::min(places, s + block)};
-            for (std::size_t r = few.first; r < few.last; ++r) {
-                lines.combine_at(x_->at(r), columns, values.data());
-                visit(r, columns, values.data());
-            }
+            visit({few, {s, std::min(places, s + block)}, lines.present()});
         }
     }
 }

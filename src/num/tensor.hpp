@@ -45,9 +45,14 @@ public:
     /// out(r, s) = sum over i, j of x_i(r) c(i, j) y_j(s) for the x-places `rows`; `out` holds
     /// their rows only.
     void expand(std::span<const double> c, PlaceRange rows, std::span<double> out) const;
-    /// The same piece by piece, each once, stored nowhere: values[s] at (row, columns.first + s).
-    using Visit = std::function<void(std::size_t row, PlaceRange columns, const double* values)>;
-    void for_each_piece(std::span<const double> c, PlaceRange rows, const Visit& visit) const;
+    /// The same block by block, stored nowhere: at (r, s) of a block the sum over i of
+    /// x().at(r)[i] lines[i][s].
+    struct Block {
+        PlaceRange rows, columns;
+        const double* const* lines;
+    };
+    using Visit = std::function<void(const Block& block)>;
+    void for_each_block(std::span<const double> c, const Visit& visit) const;
     /// g(i, j) += sum over r, s of x_i(r) z(r, s) y_j(s); `z` holds the rows of the places `rows`
     /// only.
     void contract(std::span<const double> z, PlaceRange rows, std::span<double> g) const;
