@@ -125,34 +125,72 @@ void Tensor::add_products(Sums sums, std::size_t count, std::size_t block_index,
     }
 }
 
-void Tensor::contract(std::span<const double> z, PlaceRange rows, std::span<double> g) const {
-    const std::size_t places = y_->places(), order = static_cast<std::size_t>(x_->order);
-    AlignedNumbers sums(order * block);
-    for (PlaceRange few; few.last < rows.last;) {
-        few = rows_alike(std::max(few.last, rows.first), rows.last);
-        for (std::size_t b = 0; b + 1 < block_runs_.size(); ++b) {
-            const std::size_t s = b * block;
-            std::fill_n(sums.data(), order * block, 0.0);
-            add_rows({z.data() + (few.first - rows.first) * places + s, places,
-                      x_->at(few.first), order},
-                     few.count(), std::min(block, places - s), sums.data(), block);
-            add_products({sums.data(), block}, order, b,
-                         g.data() + x_->first[few.first] * y_->functions);
+/// What x-places with neighbouring functions have gathered so far, a line a function.
+class Tensor::Gathered {
+public:
+    Gathered(const Tensor& tensor, std::span<double> g, std::size_t first)
+        : tensor_(tensor), g_(g), order_(static_cast<std::size_t>(tensor.x_->order)),
+          reach_(whole_lanes(tensor.y_->places())), lines_(order_ * reach_), first_(first),
+          at_(order_) {
+        go_to(first);
+    }
+
+    /// What functions below have gathered is complete.
+    void go_to(std::size_t first) {
+        for (std::size_t i = first_; i < std::min(first, first_ + order_); ++i) {
+            double* const line = lines_.data() + (i % order_) * reach_;
+            for (std::size_t b = 0; b + 1 < tensor_.block_runs_.size(); ++b) {
+                tensor_.add_products({line + b * block, reach_}, 1, b,
+                                     g_.data() + i * tensor_.y_->functions);
+            }
+            std::fill_n(line, reach_, 0.0);
+        }
+        first_ = first;
+        for (std::size_t i = 0; i < order_; ++i) {
+            at_[i] = lines_.data() + ((first + i) % order_) * reach_;
         }
     }
+    double* const* present() const { return at_.data(); }
+
+private:
+    const Tensor& tensor_;
+    std::span<double> g_;
+    std::size_t order_, reach_;
+    AlignedNumbers lines_;
+    std::size_t first_;
+    std::vector<double*> at_;
+};
+
+void Tensor::contract(std::span<const double> z, PlaceRange rows, std::span<double> g) const {
+    if (rows.count() == 0) return;
+    const std::size_t places = y_->places(), order = static_cast<std::size_t>(x_->order);
+    Gathered gathered(*this, g, x_->first[rows.first]);
+    for (PlaceRange few; few.last < rows.last;) {
+        few = rows_alike(std::max(few.last, rows.first), rows.last);
+        gathered.go_to(x_->first[few.first]);
+        for (std::size_t s = 0; s < places; s += block) {
+            add_rows({z.data() + (few.first - rows.first) * places + s, places,
+                      x_->at(few.first), order},
+                     few.count(), {gathered.present(), s, std::min(block, places - s)});
+        }
+    }
+    gathered.go_to(x_->first[rows.last - 1] + order);
 }
 
 void Tensor::contract_apart(std::span<const double> z, PlaceRange rows, std::span<double> by_x,
                             std::span<double> by_y) const {
     const std::size_t places = y_->places(), order = static_cast<std::size_t>(x_->order);
+    std::vector<double*> sums(order);
     for (PlaceRange few; few.last < rows.last;) {
         few = rows_alike(std::max(few.last, rows.first), rows.last);
+        for (std::size_t i = 0; i < order; ++i) {
+            sums[i] = by_x.data() + (x_->first[few.first] + i) * places;
+        }
         for (std::size_t b = 0; b + 1 < block_runs_.size(); ++b) {
             const std::size_t s = b * block;
             const double* const from = z.data() + (few.first - rows.first) * places + s;
             add_rows({from, places, x_->at(few.first), order}, few.count(),
-                     std::min(block, places - s),
-                     by_x.data() + x_->first[few.first] * places + s, places);
+                     {sums.data(), s, std::min(block, places - s)});
             add_products({from, places}, few.count(), b,
                          by_y.data() + (few.first - rows.first) * y_->functions);
         }

@@ -70,6 +70,7 @@ private:
         std::size_t stride;
     };
     class Lines;
+    class Gathered;
     /// What x-places with the same functions have in common, cut to a few rows.
     PlaceRange rows_alike(std::size_t first, std::size_t last) const;
     std::span<const Run> runs_of(std::size_t block) const;

@@ -7,60 +7,50 @@
 namespace batten::num {
 namespace {
 
-/// sums(i, s) += sum over q of factors(q, i) z(q, s). Rows of `sums` are `reach` apart.
+/// The sums of `Functions` functions, from `first` on, with `Count` rows.
 template <int Functions, int Count>
-BATTEN_INLINE void add_few(const Rows& rows, std::size_t count, double* __restrict sums,
-                           std::size_t reach) {
+BATTEN_INLINE void add_few(const Rows& rows, std::size_t first, const RowSums& sums) {
     double a[Count][Functions];
-    for (int q = 0; q < Count; ++q) {
-        for (int i = 0; i < Functions; ++i) {
-            a[q][i] = rows.factors[static_cast<std::size_t>(q) * rows.order +
-                                   static_cast<std::size_t>(i)];
-        }
+    double* t[Functions];
+    for (std::size_t i = 0; i < Functions; ++i) {
+        t[i] = sums.at[first + i] + sums.from;
+        for (std::size_t q = 0; q < Count; ++q) a[q][i] = rows.factors[q * rows.order + first + i];
     }
     std::size_t s = 0;
-    for (; s + lanes <= count; s += lanes) {
-        Lanes t[Functions];
-        for (int i = 0; i < Functions; ++i) {
-            load(sums + static_cast<std::size_t>(i) * reach + s, t[i]);
-        }
-        for (int q = 0; q < Count; ++q) {
-            const double* const from = rows.z + static_cast<std::size_t>(q) * rows.stride + s;
+    for (; s + lanes <= sums.count; s += lanes) {
+        Lanes sum[Functions];
+        for (std::size_t i = 0; i < Functions; ++i) load(t[i] + s, sum[i]);
+        for (std::size_t q = 0; q < Count; ++q) {
+            const double* const from = rows.z + q * rows.stride + s;
             Lanes u;
             load(from, u);
 #ifdef __GNUC__
             __builtin_prefetch(from + tensor_block);
 #endif
-            for (int i = 0; i < Functions; ++i) t[i] += a[q][i] * u;
+            for (std::size_t i = 0; i < Functions; ++i) sum[i] += a[q][i] * u;
         }
-        for (int i = 0; i < Functions; ++i) {
-            store(t[i], sums + static_cast<std::size_t>(i) * reach + s);
-        }
+        for (std::size_t i = 0; i < Functions; ++i) store(sum[i], t[i] + s);
     }
-    for (; s < count; ++s) {
-        for (int i = 0; i < Functions; ++i) {
-            double& t = sums[static_cast<std::size_t>(i) * reach + s];
-            for (int q = 0; q < Count; ++q) {
-                t += a[q][i] * rows.z[static_cast<std::size_t>(q) * rows.stride + s];
+    for (; s < sums.count; ++s) {
+        for (std::size_t i = 0; i < Functions; ++i) {
+            for (std::size_t q = 0; q < Count; ++q) {
+                t[i][s] += a[q][i] * rows.z[q * rows.stride + s];
             }
         }
     }
 }
 
 template <int Functions>
-BATTEN_INLINE void add_all(Rows rows, std::size_t row_count, std::size_t count, double* sums,
-                           std::size_t reach) {
-    const auto go_on = [&](std::size_t by) {
-        rows.z += by * rows.stride;
-        rows.factors += by * rows.order;
-    };
+BATTEN_INLINE void add_all(Rows rows, std::size_t row_count, std::size_t first,
+                           const RowSums& sums) {
     for (; row_count >= 4; row_count -= 4) {
-        add_few<Functions, 4>(rows, count, sums, reach);
-        go_on(4);
+        add_few<Functions, 4>(rows, first, sums);
+        rows.z += 4 * rows.stride;
+        rows.factors += 4 * rows.order;
     }
-    if (row_count == 3) add_few<Functions, 3>(rows, count, sums, reach);
-    if (row_count == 2) add_few<Functions, 2>(rows, count, sums, reach);
-    if (row_count == 1) add_few<Functions, 1>(rows, count, sums, reach);
+    if (row_count == 3) add_few<Functions, 3>(rows, first, sums);
+    if (row_count == 2) add_few<Functions, 2>(rows, first, sums);
+    if (row_count == 1) add_few<Functions, 1>(rows, first, sums);
 }
 
 typedef double Four __attribute__((vector_size(32)));
@@ -70,12 +60,23 @@ template <class Vector, int Count>
 BATTEN_INLINE void add_products_of(const double* from, std::size_t stride, const double* y,
                                    std::size_t width, std::size_t count, Vector* sums) {
     Vector t[Count] = {};
-    for (std::size_t s = 0; s < count; ++s) {
+    Vector odd[Count] = {};  // apart, so that no addition waits for the one before it
+    std::size_t s = 0;
+    for (; s + 2 <= count; s += 2) {
+        Vector v, w;
+        std::memcpy(&v, y + s * width, sizeof v);
+        std::memcpy(&w, y + (s + 1) * width, sizeof w);
+        for (std::size_t q = 0; q < Count; ++q) {
+            t[q] += from[q * stride + s] * v;
+            odd[q] += from[q * stride + s + 1] * w;
+        }
+    }
+    if (s < count) {
         Vector v;
         std::memcpy(&v, y + s * width, sizeof v);
-        for (int q = 0; q < Count; ++q) t[q] += from[static_cast<std::size_t>(q) * stride + s] * v;
+        for (std::size_t q = 0; q < Count; ++q) t[q] += from[q * stride + s] * v;
     }
-    for (int q = 0; q < Count; ++q) sums[q] = t[q];
+    for (std::size_t q = 0; q < Count; ++q) sums[q] = t[q] + odd[q];
 }
 
 template <class Vector, int Count>
@@ -102,22 +103,10 @@ BATTEN_INLINE void add_product(const Product& p, std::size_t count) {
 
 }  // namespace
 
-BATTEN_CLONES void add_rows(Rows rows, std::size_t row_count, std::size_t count, double* sums,
-                            std::size_t reach) {
-    std::size_t left = rows.order;
-    const std::size_t order = rows.order;
-    for (; left >= 4; left -= 4) {
-        const std::size_t i = order - left;
-        Rows some = rows;
-        some.factors += i;
-        add_all<4>(some, row_count, count, sums + i * reach, reach);
-    }
-    for (; left > 0; --left) {
-        const std::size_t i = order - left;
-        Rows some = rows;
-        some.factors += i;
-        add_all<1>(some, row_count, count, sums + i * reach, reach);
-    }
+BATTEN_CLONES void add_rows(Rows rows, std::size_t row_count, const RowSums& sums) {
+    std::size_t i = 0;
+    for (; i + 4 <= rows.order; i += 4) add_all<4>(rows, row_count, i, sums);
+    for (; i < rows.order; ++i) add_all<1>(rows, row_count, i, sums);
 }
 
 BATTEN_CLONES void add_products(const Product& p, std::size_t count) {

@@ -16,10 +16,13 @@ struct Rows {
     std::size_t order;
 };
 
-/// sums(i, s) += sum over the rows q of factors(q, i) z(q, s) for the functions i, whose sums are
-/// `reach` apart, and `count` columns s. The same columns of the next block are fetched ahead.
-void add_rows(Rows rows, std::size_t row_count, std::size_t count, double* sums,
-              std::size_t reach);
+/// sums[i][from + s] += sum over the rows q of factors(q, i) z(q, s) for the functions i and `count`
+/// columns s. The same columns of the next block are fetched ahead.
+struct RowSums {
+    double* const* at;
+    std::size_t from, count;
+};
+void add_rows(Rows rows, std::size_t row_count, const RowSums& sums);
 
 /// One run of y-places with the same functions.
 struct Product {
