@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "num/lanes.hpp"
+#include "num/rows.hpp"
 #include "num/tensor_kernels.hpp"
 
 namespace batten::num {
@@ -51,10 +52,10 @@ private:
     std::vector<const double*> at_, functions_;
 };
 
-Tensor::Tensor(const TensorSide& x, const TensorSide& y) : x_(&x), y_(&y) {
+Tensor::Tensor(const TensorSide& x, const TensorSide& y, Use use) : x_(&x), y_(&y) {
     const std::size_t places = y.places(), order = static_cast<std::size_t>(y.order);
-    y_turned_.resize(places * order);
-    for (std::size_t s = 0; s < places; ++s) {
+    y_turned_.resize(use == Use::all ? places * order : 0);
+    for (std::size_t s = 0; s < places && use == Use::all; ++s) {
         for (std::size_t j = 0; j < order; ++j) y_turned_[j * places + s] = y.at(s)[j];
     }
     y_width_ = order <= 4 ? 4 : whole_lanes(order);
@@ -165,13 +166,21 @@ void Tensor::contract(std::span<const double> z, PlaceRange rows, std::span<doub
     if (rows.count() == 0) return;
     const std::size_t places = y_->places(), order = static_cast<std::size_t>(x_->order);
     Gathered gathered(*this, g, x_->first[rows.first]);
+    AlignedNumbers near(order * block);  // in the first cache; the lines are not
+    std::vector<double*> nearby;
+    for (std::size_t i = 0; i < order; ++i) nearby.push_back(near.data() + i * block);
     for (PlaceRange few; few.last < rows.last;) {
         few = rows_alike(std::max(few.last, rows.first), rows.last);
         gathered.go_to(x_->first[few.first]);
         for (std::size_t s = 0; s < places; s += block) {
+            const std::size_t count = std::min(block, places - s);
+            std::fill_n(near.data(), order * block, 0.0);
             add_rows({z.data() + (few.first - rows.first) * places + s, places,
                       x_->at(few.first), order},
-                     few.count(), {gathered.present(), s, std::min(block, places - s)});
+                     few.count(), {nearby.data(), 0, count});
+            for (std::size_t i = 0; i < order; ++i) {
+                add_times(1, {nearby[i], count}, {gathered.present()[i] + s, count});
+            }
         }
     }
     gathered.go_to(x_->first[rows.last - 1] + order);

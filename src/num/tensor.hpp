@@ -37,7 +37,9 @@ struct PlaceRange {
 /// Cost: order operations a place and side, one pass over the array.
 class Tensor {
 public:
-    Tensor(const TensorSide& x, const TensorSide& y);
+    /// What it is wanted for: products alone need less memory.
+    enum class Use { all, products };
+    Tensor(const TensorSide& x, const TensorSide& y, Use use = Use::all);
 
     const TensorSide& x() const { return *x_; }
     const TensorSide& y() const { return *y_; }
@@ -78,7 +80,7 @@ private:
 
     const TensorSide* x_;
     const TensorSide* y_;
-    std::vector<double> y_turned_;   ///< function after function: y_j(s) at [j * places + s]
+    std::vector<double> y_turned_;   ///< for expanding: y_j(s) at [j * places + s]
     std::vector<double> y_widened_;  ///< place after place, filled up to whole vectors
     std::size_t y_width_ = 1;        ///< of one place there
     std::vector<Run> runs_;          ///< of y-places with the same functions, cut at blocks

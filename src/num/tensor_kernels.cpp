@@ -10,12 +10,9 @@ namespace {
 /// The sums of `Functions` functions, from `first` on, with `Count` rows.
 template <int Functions, int Count>
 BATTEN_INLINE void add_few(const Rows& rows, std::size_t first, const RowSums& sums) {
-    double a[Count][Functions];
+    const double* const a = rows.factors + first;
     double* t[Functions];
-    for (std::size_t i = 0; i < Functions; ++i) {
-        t[i] = sums.at[first + i] + sums.from;
-        for (std::size_t q = 0; q < Count; ++q) a[q][i] = rows.factors[q * rows.order + first + i];
-    }
+    for (std::size_t i = 0; i < Functions; ++i) t[i] = sums.at[first + i] + sums.from;
     std::size_t s = 0;
     for (; s + lanes <= sums.count; s += lanes) {
         Lanes sum[Functions];
@@ -27,14 +24,14 @@ BATTEN_INLINE void add_few(const Rows& rows, std::size_t first, const RowSums& s
 #ifdef __GNUC__
             __builtin_prefetch(from + tensor_block);
 #endif
-            for (std::size_t i = 0; i < Functions; ++i) sum[i] += a[q][i] * u;
+            for (std::size_t i = 0; i < Functions; ++i) sum[i] += a[q * rows.order + i] * u;
         }
         for (std::size_t i = 0; i < Functions; ++i) store(sum[i], t[i] + s);
     }
     for (; s < sums.count; ++s) {
         for (std::size_t i = 0; i < Functions; ++i) {
             for (std::size_t q = 0; q < Count; ++q) {
-                t[i][s] += a[q][i] * rows.z[q * rows.stride + s];
+                t[i][s] += a[q * rows.order + i] * rows.z[q * rows.stride + s];
             }
         }
     }

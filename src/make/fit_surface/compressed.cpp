@@ -153,7 +153,7 @@ Compressed::Compressed(const Nodes& nodes, Axis x, Axis y)
 
 double Compressed::read_nodes() {
     const std::size_t m = nodes_.x.size(), n = nodes_.y.size(), q = y_.functions();
-    const num::Tensor tensor(x_.normal(), y_.normal());
+    const num::Tensor tensor(x_.normal(), y_.normal(), num::Tensor::Use::products);
     heights_.assign(x_.functions() * q, 0.0);
     x_lines_.assign(q * m, 0.0);
     y_lines_.assign(x_.functions() * n, 0.0);

@@ -14,7 +14,8 @@ constexpr std::size_t rows_of_misfit = 16;
 class Strips {
 public:
     Strips(const Nodes& nodes, const Axis& x, const Axis& y, StripRule rule)
-        : nodes_(nodes), x_(x), y_(y), rule_(rule), tensor_(x.weighted(), y.weighted()),
+        : nodes_(nodes), x_(x), y_(y), rule_(rule),
+          tensor_(x.weighted(), y.weighted(), num::Tensor::Use::products),
           x_part_(x.basis().breaks().size() - 1, 0.0) {
         const std::size_t width = rule == StripRule::projected ? x.functions() : 1;
         y_sums_.assign(width * nodes.y.size(), 0.0);
