@@ -2,14 +2,15 @@
 """Fits beside the field: mean squared errors and effective parameters of Batten, SciPy's smoothing
 spline by GCV, mgcv by REML, and FITPACK given the best s there is (by the truth).
 
-usage: fit_field.py [COMMAND] [--peers FILE] [--seeds 100] [--sizes 201,1024,2048]
-                    [--functions Blocks,Bumps] [--without mgcv]
+usage: fit_field.py [COMMAND] [--peers FILE] [--ours FILE] [--as-kept] [--seeds 100]
+                    [--sizes 201,1024,2048] [--functions Blocks,Bumps] [--without mgcv]
 
 The four functions of [DonohoJohnstone1994] and a bathtub, scaled so that their standard
 deviation is the signal-to-noise ratio and the noise 1. Batten and FITPACK are told the noise. Every
 seed draws its own noise, so that a few seeds are the beginning of many. Prints one row a cell, means
-over seeds, ready for docs/fitting.md. --peers keeps what the others found, a line of JSON for each
-fit; what the file holds is not computed again. Without COMMAND only that file is filled.
+over seeds, ready for docs/fitting.md. --peers keeps what the others found, --ours what COMMAND
+found, a line of JSON for each fit; what a file holds is not computed again, and with --as-kept
+nothing is. Without COMMAND only the peers are worked out.
 """
 
 import argparse
@@ -127,7 +128,7 @@ class Cell:
     """A function at one number of samples and one ratio of signal to noise."""
 
     def __init__(self, label, n, ratio):
-        self.label, self.n, self.ratio = label, n, ratio
+        self.label, self.n, self.ratio = self.key = label, n, ratio
         self.x = (numpy.arange(n) + .5) / n
         truth = FUNCTIONS[label](self.x)
         self.truth = truth * ratio / numpy.std(truth)
@@ -143,23 +144,21 @@ class Cell:
         return float(numpy.mean((fit - self.truth) ** 2))
 
 
-class Peers:
-    """What the others found, by cell, seed and peer; appended to a file if there is one."""
+OURS = {"Batten": [], "Batten, pruned": ["--knots", "pruned"]}
+PEERS = ["SciPy GCV", "FITPACK best s", "mgcv"]
+BLOCK = 10
 
-    NAMES = ["SciPy GCV", "FITPACK best s", "mgcv"]
-    BLOCK = 10
 
-    def __init__(self, path, without, folder):
-        self.names = [name for name in self.NAMES if name not in without.split(",")]
-        self.path, self.folder, self.penalty, self.found = path, folder, Lambda(), {}
-        if path and os.path.exists(path):
-            with open(path, encoding="utf-8") as stream:
-                for row in map(json.loads, stream):
-                    key = row["function"], row["n"], row["ratio"], row["seed"], row["peer"]
-                    self.found[key] = row["error"], row["parameters"]
+class Fitters:
+    """All the ways to fit, by name."""
 
-    def _fits(self, name, cell, seeds):
+    def __init__(self, command, folder):
+        self.command, self.folder, self.penalty = command, folder, Lambda()
+
+    def fits(self, name, cell, seeds):
         samples = [cell.sample(seed) for seed in seeds]
+        if name in OURS:
+            return [batten(self.command, cell.x, y, self.folder, *OURS[name]) for y in samples]
         if name == "mgcv":
             return mgcv(cell.x, samples, self.folder)
         if name == "SciPy GCV":
@@ -167,68 +166,73 @@ class Peers:
                     for y, seed in zip(samples, seeds)]
         return [fitpack(cell.x, y, cell.truth) for y in samples]
 
+
+class Results:
+    """Errors and parameters by cell, seed and name; kept in a file if there is one."""
+
+    def __init__(self, path, names, fitters):
+        self.path, self.names, self.fitters, self.found = path, names, fitters, {}
+        if path and os.path.exists(path):
+            with open(path, encoding="utf-8") as stream:
+                for row in map(json.loads, stream):
+                    key = row["function"], row["n"], row["ratio"], row["seed"], row["peer"]
+                    self.found[key] = row["error"], row["parameters"]
+
     def fill(self, cells, seeds):
         """Blocks of seeds are the outermost loop: stopped early, every cell has as many."""
-        for first in range(0, seeds, self.BLOCK):
+        for first in range(0, seeds, BLOCK):
             for cell in cells:
                 for name in self.names:
-                    self._fill(name, cell, range(first, min(first + self.BLOCK, seeds)))
+                    self._fill(name, cell, range(first, min(first + BLOCK, seeds)))
 
     def _fill(self, name, cell, seeds):
-        key = cell.label, cell.n, cell.ratio
-        missing = [seed for seed in seeds if (*key, seed, name) not in self.found]
+        missing = [seed for seed in seeds if (*cell.key, seed, name) not in self.found]
         if not missing:
             return
         lines = []
-        for seed, (fit, count) in zip(missing, self._fits(name, cell, missing)):
+        for seed, (fit, count) in zip(missing, self.fitters.fits(name, cell, missing)):
             result = cell.error(fit), float(count)
-            self.found[(*key, seed, name)] = result
+            self.found[(*cell.key, seed, name)] = result
             lines.append(json.dumps(dict(zip(
                 ("function", "n", "ratio", "seed", "peer", "error", "parameters"),
-                (*key, seed, name, *result)))) + "\n")
+                (*cell.key, seed, name, *result)))) + "\n")
         if self.path:
             with open(self.path, "a", encoding="utf-8") as stream:
                 stream.writelines(lines)
 
-    def means(self, cell, seeds):
-        key = cell.label, cell.n, cell.ratio
-        return {name: numpy.mean([self.found[(*key, seed, name)] for seed in range(seeds)], axis=0)
-                for name in self.names}
+    def seeds(self, cells, name, most):
+        """How many of the first seeds every cell has."""
+        count = 0
+        while count < most and all((*cell.key, count, name) in self.found for cell in cells):
+            count += 1
+        return count
+
+    def mean(self, cell, name, seeds):
+        return numpy.mean([self.found[(*cell.key, seed, name)] for seed in range(seeds)], axis=0)
 
 
-OURS = {"Batten": [], "Batten, pruned": ["--knots", "pruned"]}
-
-
-def ours(command, cell, seeds, folder):
-    """Means of error and parameters of both modes."""
-    means = {}
-    for name, more in OURS.items():
-        fits = [batten(command, cell.x, cell.sample(seed), folder, *more) for seed in range(seeds)]
-        means[name] = numpy.mean([(cell.error(fit), count) for fit, count in fits], axis=0)
-    return means
-
-
-def table(arguments, cells, peers, folder):
-    near, slim, both = ({name: 0 for name in OURS} for _ in range(3))
-    names = [*OURS, *peers.names]
-    print("| | N | S/N | " + " | ".join(names) + " | |")
-    print("|---" * (len(names) + 4) + "|")
+def table(cells, seeds, ours, peers):
+    near, slim, both = ({name: 0 for name in ours.names} for _ in range(3))
+    columns = [(results, name, results.seeds(cells, name, seeds))
+               for results in (ours, peers) for name in results.names]
+    print("| | N | S/N | " + " | ".join(f"{name}, {count} seeds" for _, name, count in columns) +
+          " | |")
+    print("|---" * (len(columns) + 4) + "|")
     for cell in cells:
-        peers.fill([cell], arguments.seeds)
-        others = peers.means(cell, arguments.seeds)
-        mine = ours(arguments.command, cell, arguments.seeds, folder)
-        best = min(others.values(), key=lambda pair: pair[0])
+        means = {name: results.mean(cell, name, count) for results, name, count in columns}
+        best = min((means[name] for name in peers.names), key=lambda pair: pair[0])
         marks = []
-        for name, (error, count) in mine.items():
+        for name in ours.names:
+            error, count = means[name]
             is_near, is_slim = error <= 1.1 * best[0], count <= .5 * best[1]
             near[name] += is_near
             slim[name] += is_slim
             both[name] += is_near and is_slim
             marks.append(("✓" if is_near else "–") + ("½" if is_slim else ""))
         print(f"| {cell.label} | {cell.n} | {cell.ratio} | " + " | ".join(
-            f"{error:.4g} ({count:.0f})" for error, count in [*mine.values(), *others.values()]) +
-            f" | {' '.join(marks)} |", flush=True)
-    for name in OURS:
+            f"{error:.4g} ({count:.1f})" for error, count in means.values()) +
+            f" | {' '.join(marks)} |")
+    for name in ours.names:
         print(f"\n{name}: best or within 10 % of the best other in {near[name]} of {len(cells)} "
               f"cells; at most half the parameters of the best other in {slim[name]}; both in "
               f"{both[name]}")
@@ -237,7 +241,9 @@ def table(arguments, cells, peers, folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("command", nargs="?")
-    parser.add_argument("--peers")
+    for option in ("--peers", "--ours"):
+        parser.add_argument(option)
+    parser.add_argument("--as-kept", action="store_true")
     parser.add_argument("--seeds", type=int, default=100)
     parser.add_argument("--sizes", default="201,1024,2048")
     parser.add_argument("--functions", default=",".join(FUNCTIONS))
@@ -247,11 +253,16 @@ def main():
     cells = [Cell(label, int(n), ratio) for label in arguments.functions.split(",")
              for n in arguments.sizes.split(",") for ratio in (3, 7)]
     with tempfile.TemporaryDirectory() as folder:
-        peers = Peers(arguments.peers, arguments.without, folder)
-        if arguments.command:
-            table(arguments, cells, peers, folder)
-        else:
+        fitters = Fitters(arguments.command, folder)
+        left_out = arguments.without.split(",")
+        peers = Results(arguments.peers, [n for n in PEERS if n not in left_out], fitters)
+        ours = Results(arguments.ours, [n for n in OURS if n not in left_out], fitters)
+        if not arguments.as_kept:
+            if arguments.command:
+                ours.fill(cells, arguments.seeds)
             peers.fill(cells, arguments.seeds)
+        if arguments.command or arguments.as_kept:
+            table(cells, arguments.seeds, ours, peers)
 
 
 main()

@@ -31,4 +31,19 @@ void basis_values_at(std::span<const double> knots, std::size_t span, int order,
     }
 }
 
+void basis_derivatives(std::span<const double> knots, std::size_t span, int order, double x,
+                       int derivative, double* out) {
+    for (int j = 0; j < order; ++j) out[j] = 0;
+    if (derivative >= order) return;
+    basis_values(knots, span, order - derivative, x, out);
+    for (int level = order - derivative; level < order; ++level) {
+        for (int j = level; j >= 0; --j) {
+            const double* const t = knots.data() + span + j;
+            const double right = j < level ? out[j] / (t[1] - t[1 - level]) : 0;
+            const double left = j > 0 ? out[j - 1] / (t[0] - t[-level]) : 0;
+            out[j] = level * (left - right);
+        }
+    }
+}
+
 }  // namespace batten::num

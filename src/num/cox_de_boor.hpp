@@ -22,4 +22,9 @@ void basis_values(std::span<const double> knots, std::size_t span, int order, do
 void basis_values_at(std::span<const double> knots, std::size_t span, int order, const double* x,
                      int count, double* out);
 
+/// Derivatives of order `derivative` at `x` of the same functions, one-sided where x is an end of the
+/// span. Source: differences of values of lower order [deBoor2001, X(15)].
+void basis_derivatives(std::span<const double> knots, std::size_t span, int order, double x,
+                       int derivative, double* out);
+
 }  // namespace batten::num

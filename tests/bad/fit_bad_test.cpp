@@ -160,9 +160,6 @@ TEST(FitRefuses, OptionsThatContradictEachOther) {
     options.knots = KnotPlacement::free;
     options.degree = 0;
     EXPECT_EQ(refusal(good(), options), "fit.options degree");
-    options.degree = 3;
-    options.closed = true;
-    EXPECT_EQ(refusal(good(), options), "fit.options closed");
     options = {};
     options.degree = 10;
     EXPECT_EQ(refusal(good(), options), "option.range degree");
@@ -190,9 +187,6 @@ TEST(FitRefuses, LimitsAndTolerancesThatContradictTheRest) {
     options.knots = KnotPlacement::pruned;
     options.intervals = 4;
     EXPECT_EQ(refusal(good(), options), "fit.options knots");
-    options.intervals.reset();
-    options.closed = true;
-    EXPECT_EQ(refusal(good(), options), "fit.options closed");
 }
 
 TEST(FitSays, WhereLimitsCannotBeKept) {
@@ -217,9 +211,6 @@ TEST(FitCurveRefuses, WhatMakesNoSenseForACurve) {
     EXPECT_EQ(code(points, {}, {1, 1, 0, 1, 1, 1}), "fit.sigma row 2, column sigma");
     EXPECT_EQ(code(Points({1, 1, 1, 1, 1, 1, 1, 1, 1, 1}, 2), {}), "points.all-equal points");
     FitOptions options;
-    options.knots = KnotPlacement::free;
-    EXPECT_EQ(code(points, options), "fit.options knots");
-    options = {};
     options.monotone = Direction::up;
     EXPECT_EQ(code(points, options), "fit.options limits");
     options = {};

@@ -69,18 +69,8 @@ CoefficientLaw::Functions CoefficientLaw::functions_at(double x, int derivative)
     const auto span = std::upper_bound(from, to, x) - knots.begin() - 1;
     Functions result{static_cast<int>(span) - degree,
                      std::vector<double>(static_cast<std::size_t>(degree) + 1, 0.0)};
-    if (derivative > degree) return result;
-    // Values of the B-splines of lower degree, then differences [deBoor2001, X(15)].
-    const int order = degree + 1 - derivative;
-    num::basis_values(knots, static_cast<std::size_t>(span), order, x, result.values.data());
-    for (int level = order; level <= degree; ++level) {
-        for (int j = level; j >= 0; --j) {
-            const double* const t = knots.data() + span + j;
-            const double right = j < level ? result.values[j] / (t[1] - t[1 - level]) : 0;
-            const double left = j > 0 ? result.values[j - 1] / (t[0] - t[-level]) : 0;
-            result.values[j] = level * (left - right);
-        }
-    }
+    num::basis_derivatives(knots, static_cast<std::size_t>(span), degree + 1, x, derivative,
+                           result.values.data());
     return result;
 }
 
@@ -116,6 +106,16 @@ std::vector<double> CoefficientLaw::apply(std::vector<double> a) const {
     std::vector<double> x(y.size());
     qr.solve_for(y, x);
     return x;
+}
+
+std::vector<double> CoefficientLaw::coefficients() const {
+    const num::BandedQr& qr = system_.qr();
+    std::vector<double> z(static_cast<std::size_t>(functions_));
+    for (int j = 0; j < functions_; ++j) z[static_cast<std::size_t>(j)] = qr.row(j)[qr.shape().width];
+    z = without_known(std::move(z));
+    std::vector<double> c(z.size());
+    qr.solve_for(z, c);
+    return c;
 }
 
 double CoefficientLaw::variance(double x, int derivative) const {

@@ -37,6 +37,8 @@ public:
     std::vector<double> forward(std::vector<double> a) const;
     /// (R^T R)^-1 a.
     std::vector<double> apply(std::vector<double> a) const;
+    /// The best coefficients where every held form is 0. Open splines without border, side 0.
+    std::vector<double> coefficients() const;
     /// The variance of S(x) or of a derivative.
     double variance(double x, int derivative) const;
     /// The variance of the integral over `part`.

@@ -24,7 +24,6 @@ void refuse_unless(bool is_good, const char* option) {
 void require_curve_options(const FitOptions& o) {
     require_options(o);
     refuse_unless(o.stop != StopRule::distribution, "stop");
-    refuse_unless(o.knots != KnotPlacement::free && o.knots != KnotPlacement::pruned, "knots");
     refuse_unless(!o.tolerance, "tolerance");
     refuse_unless(o.sigma_model.empty(), "sigma_model");
     refuse_unless(!has_limits(o), "limits");
@@ -43,8 +42,11 @@ BSplineCurve curve_of(const FixedFit& fixed, const std::vector<SplineFunction>& 
         }
     }
     const int degree = coordinates[0].degree();
+    const std::span<const double> knots = fixed.knots;
     return coordinates[0].is_closed()
-               ? BSplineCurve(BSplineBasis::periodic(coordinates[0].breaks(), degree),
+               ? BSplineCurve(BSplineBasis::periodic(knots.subspan(fixed.system.order() - 1,
+                                                                   functions + 1),
+                                                     degree),
                               std::move(control))
                : BSplineCurve(BSplineBasis(fixed.knots, degree), std::move(control));
 }
@@ -58,6 +60,7 @@ FitReport report_of(CurveSearch& search) {
                   {residuals.delta2, used.values(),
                    used.sigma_known ? SigmaKnowledge::known : SigmaKnowledge::unknown,
                    static_cast<int>(curve.size()), used.least_delta2});
+    report.parameters_charged += search.choice().moved;
     fill_tally(report, residuals);
     fill_spline(report, curve[0]);
     for (std::size_t s = 1; s < curve.size(); ++s) {
@@ -80,6 +83,9 @@ FitReport report_of(CurveSearch& search) {
                                format_number(step.bic) + " here");
     }
     if (report.status == Status::met && !search.choice().is_met) report.status = Status::not_met;
+    if (report.status == Status::met && !search.choice().is_converged) {
+        report.status = Status::not_converged;
+    }
     return report;
 }
 

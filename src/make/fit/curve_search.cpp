@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "make/fit/free_choice.hpp"
+#include "make/fit/pruned_choice.hpp"
+
 namespace batten::fitting {
 namespace {
 
-constexpr double gain_enough = 1e-4;  // of the misfit, to correct the parameters once more
+constexpr double misfit_gain_enough = 1e-4;  // of the misfit, to correct the parameters once more
 
 bool has_dropped(const std::vector<double>& factors) {
     return std::any_of(factors.begin(), factors.end(), [](double f) { return std::isinf(f); });
@@ -19,18 +22,46 @@ CurveSearch::CurveSearch(PointsView points, std::span<const double> sigma,
     : options_(options), problem_(points, sigma, options), basis_(options.degree + 1) {}
 
 void CurveSearch::run() {
-    choose();
-    const bool is_again = choice_.by_data && options_.corrections > 0;
+    // Free knots take long to find: parameters are corrected over inserted ones first.
+    FitOptions first = options_;
+    const bool is_free = options_.knots == KnotPlacement::free;
+    if (is_free) first = by_insertion(options_);
+    choose(first);
+    const bool is_again = is_free || (choice_.by_data && options_.corrections > 0);
     if (placement_of(options_) != KnotPlacement::given && has_dropped(here_->factors)) {
         // Chords to an outlier and back are no length of the curve.
         problem_.measure_chords(here_->factors);
-        choose();
+        choose(first);
     }
-    if (is_again) choose();
+    if (is_again) choose(options_);
+    if (choice_.moved > 0) move_on();
+    if (options_.knots == KnotPlacement::pruned) {
+        const BrokenSites sites = sites_of(here_->fixed.knots, problem_.samples().range);
+        note_breaks(choice_, sites, basis_.order());
+    }
 }
 
-void CurveSearch::choose() {
-    choice_ = choose_knots(problem_.samples(), basis_, options_);
+/// Knots and parameters in turn, as many knots as there are.
+void CurveSearch::move_on() {
+    for (int round = 0; round < options_.corrections; ++round) {
+        const WeightedFit before = *here_;
+        std::vector<double> t = problem_.parameters();
+        WeightedFit next = weighted_fit(
+            moved_on(used(), basis_, here_->fixed.knots, options_), here_->factors);
+        if (!next.fixed.undetermined.empty()) break;
+        here_ = std::move(next);
+        correct();
+        if (!(here_->misfit < before.misfit)) {
+            here_ = before;
+            problem_.restore(std::move(t));
+            break;
+        }
+        if (before.misfit - here_->misfit <= misfit_gain_enough * before.misfit) break;
+    }
+}
+
+void CurveSearch::choose(const FitOptions& options) {
+    choice_ = choose_knots(problem_.samples(), basis_, options);
     std::vector<double> factors = here_ ? std::move(here_->factors) : std::vector<double>();
     here_ = weighted_fit(choice_.knots, std::move(factors));
     correct();
@@ -86,7 +117,7 @@ void CurveSearch::correct() {
             problem_.restore(std::move(before));
             break;
         }
-        const bool is_enough = here_->misfit - next.misfit <= gain_enough * here_->misfit;
+        const bool is_enough = here_->misfit - next.misfit <= misfit_gain_enough * here_->misfit;
         here_ = std::move(next);
         if (is_enough) break;
     }

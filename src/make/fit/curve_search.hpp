@@ -32,8 +32,9 @@ public:
     Samples used() const;
 
 private:
-    void choose();
+    void choose(const FitOptions& options);
     void correct();
+    void move_on();
     FixedFit solved(const Samples& samples, std::vector<double> knots,
                     const std::vector<double>& factors) const;
     WeightedFit weighted_fit(const std::vector<double>& knots, std::vector<double> factors) const;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "make/fit/finish.hpp"
+#include "make/fit/held.hpp"
 #include "make/fit/isolated.hpp"
 #include "make/fit/knot_choice.hpp"
 #include "make/fit/residuals.hpp"
@@ -24,8 +25,10 @@ struct FinalFit {
     bool is_within = true;  ///< the limits asked for could be kept
 };
 
-/// Keeps the limits asked for, if any; whether that could be done.
-bool limit(FixedFit& fixed, const FitOptions& options) {
+/// Keeps the limits asked for and what the choice holds, if any; whether that could be done.
+bool limit(FixedFit& fixed, const FitOptions& options,
+           std::span<const HeldDerivative> held = {}) {
+    hold_smooth(fixed, held);
     return !has_limits(options) ||
            (fixed.undetermined.empty() && keep_within_limits(fixed, options));
 }
@@ -34,7 +37,7 @@ FinalFit final_fit(const Samples& samples, const LocalBasis& basis, const KnotCh
                    const FitOptions& options) {
     const Ends ends = ends_of(options);
     FinalFit result{nullptr, solve_fixed(samples, choice.knots, basis, ends), {}};
-    result.is_within = limit(result.fixed, options);
+    result.is_within = limit(result.fixed, options, choice.held);
     if (options.robust == Robust::none) return result;
     std::vector<double> before;
     for (int round = 0; round < most_final_rounds; ++round) {
@@ -45,7 +48,7 @@ FinalFit final_fit(const Samples& samples, const LocalBasis& basis, const KnotCh
         auto weighted = std::make_unique<Samples>(reweighted(samples, before));
         FixedFit fixed = solve_fixed(*weighted, choice.knots, basis, ends);
         if (!fixed.undetermined.empty()) break;
-        result.is_within = limit(fixed, options);
+        result.is_within = limit(fixed, options, choice.held);
         result.fixed = std::move(fixed);
         result.weighted = std::move(weighted);
     }

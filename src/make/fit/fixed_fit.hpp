@@ -7,6 +7,12 @@
 
 namespace batten::fitting {
 
+/// A derivative that does not jump at a knot, though the knot's multiplicity would let it.
+struct HeldDerivative {
+    double at = 0;
+    int derivative = 0;
+};
+
 /// The fit over one knot vector of any multiplicities.
 struct FixedFit {
     std::vector<double> knots;

@@ -22,23 +22,24 @@ SigmaKnowledge knowledge_of(const Samples& samples) {
 /// Sets of knots tried, and the rule's opinion of them.
 class FreeSearch {
 public:
-    FreeSearch(FreeFit& fit, const LocalBasis& basis, const Samples& samples, const StopPlan& plan)
-        : fit_(fit), basis_(basis), samples_(samples), plan_(plan) {}
+    FreeSearch(FreeFit& fit, const LocalBasis& basis, const Samples& samples, const StopPlan& plan,
+               Ends ends)
+        : fit_(fit), basis_(basis), samples_(samples), plan_(plan), ends_(ends) {}
 
     /// Records; whether more knots are wanted. `moved`: the knots were optimised.
     bool wants_more(const Descent& d, bool moved) {
-        const int p = d.set.count() + basis_.order();
+        const int p = fit_.parameters_of(d.set);
         const double least = std::max(d.delta2, samples_.least_delta2);
-        FitStep step = step_of(least, samples_.size(), p, static_cast<int>(d.set.size()) + 1,
+        FitStep step = step_of(least, samples_.values(), p, static_cast<int>(d.set.size()) + 1,
                                knowledge_of(samples_));
         const FitStep charged =
-            step_of(least, samples_.size(), moved ? p + d.set.count() : p, step.intervals,
+            step_of(least, samples_.values(), moved ? p + d.set.count() : p, step.intervals,
                     knowledge_of(samples_));
         step.delta2 = d.delta2;
-        if (plan_.rule == StopRule::distribution || plan_.wants_psi) {
-            const FixedFit fixed = solve_fixed(
-                samples_, open_knots(samples_.range, d.set.flat(), basis_.order()), basis_,
-                Ends::open);
+        if (plan_.rule == StopRule::distribution ||
+            (plan_.wants_psi && samples_.sides.size() == 1)) {
+            const FixedFit fixed =
+                solve_fixed(samples_, fit_.knots_of(d.set), basis_, ends_);
             const Psi psi = tally(samples_, spline_of(fixed)).psi;
             step.psi.assign(psi.begin(), psi.end());
         }
@@ -47,7 +48,7 @@ public:
     }
 
     KnotChoice finish() {
-        choice_.knots = open_knots(samples_.range, best_.set.flat(), basis_.order());
+        choice_.knots = fit_.knots_of(best_.set);
         choice_.moved = best_moved_ ? best_.set.count() : 0;
         choice_.by_data = true;
         choice_.is_converged = best_.is_converged;
@@ -77,7 +78,7 @@ private:
         } else if (plan_.rule == StopRule::distribution) {
             choice_.is_met = is_end = is_distributed(step.psi, plan_.phi);
         } else if (plan_.rule == StopRule::chi2) {
-            const double degrees = static_cast<double>(samples_.size()) - p;
+            const double degrees = static_cast<double>(samples_.values()) - p;
             choice_.is_met = is_end =
                 degrees > 0 && d.delta2 <= chi2_quantile(0.05, degrees);
         } else {
@@ -94,12 +95,13 @@ private:
         }
         return !is_end;
     }
-    int samples_size() const { return static_cast<int>(samples_.size()); }
+    int samples_size() const { return static_cast<int>(samples_.values()); }
 
     FreeFit& fit_;
     const LocalBasis& basis_;
     const Samples& samples_;
     const StopPlan& plan_;
+    Ends ends_;
     KnotChoice choice_;
     Descent best_;
     bool best_moved_ = false;
@@ -159,11 +161,19 @@ KnotChoice moved_part_way(FreeFit& fit, FreeSearch& search, double free_from) {
 }  // namespace
 
 KnotChoice free_knots(const Samples& samples, const LocalBasis& basis, const FitOptions& options) {
-    FreeFit fit(samples, basis);
+    const Ends ends = ends_of(options);
+    FreeFit fit(samples, basis, ends);
     const StopPlan plan = stop_plan(samples, options);
-    FreeSearch search(fit, basis, samples, plan);
+    FreeSearch search(fit, basis, samples, plan, ends);
     return options.free_from ? moved_part_way(fit, search, *options.free_from)
                              : grown(fit, search);
+}
+
+std::vector<double> moved_on(const Samples& samples, const LocalBasis& basis,
+                             const std::vector<double>& knots, const FitOptions& options) {
+    FreeFit fit(samples, basis, ends_of(options));
+    return fit.knots_of(
+        newton_descent(fit, KnotSet::of(knots, samples.range), levenberg_steps).set);
 }
 
 }  // namespace batten::fitting

@@ -12,4 +12,9 @@ namespace batten::fitting {
 /// insertion is followed by Levenberg steps of all knots.
 KnotChoice free_knots(const Samples& samples, const LocalBasis& basis, const FitOptions& options);
 
+/// The same number of knots moved on from where `choice` has them, for samples that have changed a
+/// little.
+std::vector<double> moved_on(const Samples& samples, const LocalBasis& basis,
+                             const std::vector<double>& knots, const FitOptions& options);
+
 }  // namespace batten::fitting

@@ -1,8 +1,6 @@
 #include "make/fit/free_fit.hpp"
 
 #include <algorithm>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 
 #include "num/cox_de_boor.hpp"
@@ -10,16 +8,8 @@
 namespace batten::fitting {
 namespace {
 
-constexpr std::size_t cache_size = 512;  // a power of two; direct mapped
-
-std::size_t cache_place(Interval span) {
-    std::uint64_t a = 0, b = 0;
-    std::memcpy(&a, &span.lo, sizeof a);
-    std::memcpy(&b, &span.hi, sizeof b);
-    // Fibonacci hashing [Knuth1998, 6.4].
-    const std::uint64_t mixed = (a * 0x9E3779B97F4A7C15u) ^ (b * 0xC2B2AE3D27D4EB4Fu);
-    return static_cast<std::size_t>((mixed >> 40) % cache_size);
-}
+/// Scaled pivots of a closed spline's triangle below are taken as rank deficiency.
+constexpr double least_free_pivot = 1e-10;
 
 }  // namespace
 
@@ -37,37 +27,57 @@ std::vector<double> KnotSet::flat() const {
     return result;
 }
 
-FreeFit::FreeFit(const Samples& samples, const LocalBasis& basis)
-    : samples_(samples),
-      basis_(basis),
-      reducer_(samples, basis),
-      system_(basis, reducer_.shape(), Ends::open),
-      cache_(cache_size) {
-    if (samples.size() > Growth::tree_from) {
-        tree_ = std::make_unique<ReductionTree>(reducer_, samples.range);
+KnotSet KnotSet::of(std::span<const double> knots, Interval range) {
+    KnotSet set;
+    for (const double t : knots) {
+        if (!(t > range.lo && t < range.hi)) continue;
+        if (!set.at.empty() && set.at.back() == t) {
+            ++set.times.back();
+        } else {
+            set.at.push_back(t);
+            set.times.push_back(1);
+        }
     }
+    return set;
 }
 
-const double* FreeFit::triangle(Interval span, Rows rows, RightEnd end) {
-    Cached& slot = cache_[cache_place(span)];
-    if (slot.lo == span.lo && slot.hi == span.hi) return slot.triangle.data();
-    slot.lo = span.lo;
-    slot.hi = span.hi;
-    slot.triangle.resize(reducer_.shape().size());
-    if (tree_ && rows.count() > 2 * ReductionTree::leaf_rows) {
-        tree_->over(span, end, slot.triangle.data());
-    } else {
-        reducer_.reduce(rows, span, Rest::wanted, slot.triangle.data());
-    }
-    return slot.triangle.data();
+FreeFit::FreeFit(const Samples& samples, const LocalBasis& basis, Ends ends)
+    : samples_(samples),
+      basis_(basis),
+      reduced_(samples, basis),
+      ends_(ends),
+      system_(basis, reduced_.shape(), ends),
+      slopes_system_(basis, reduced_.shape(), ends) {}
+
+int FreeFit::most_times() const {
+    return sides() == 1 && ends_ == Ends::open ? order() : order() - 1;
+}
+
+std::vector<double> FreeFit::knots_of(const KnotSet& set) const {
+    const std::vector<double> inside = set.flat();
+    if (ends_ == Ends::open) return open_knots(domain(), inside, order());
+    std::vector<double> breaks{domain().lo};
+    breaks.insert(breaks.end(), inside.begin(), inside.end());
+    breaks.push_back(domain().hi);
+    return closed_knots(breaks, order());
+}
+
+int FreeFit::functions_of(const KnotSet& set) const {
+    return set.count() + (ends_ == Ends::open ? order() : 1);
+}
+
+int FreeFit::parameters_of(const KnotSet& set) const {
+    return functions_of(set) * static_cast<int>(sides());
 }
 
 bool FreeFit::set_knots(const KnotSet& set) {
     const int k = order();
-    knots_ = open_knots(domain(), set.flat(), k);
+    const int functions = functions_of(set);
+    if (static_cast<std::size_t>(functions) > samples_.size()) return false;
+    knots_ = knots_of(set);
     spans_ = spans_of(knots_, k);
     firsts_.resize(spans_.size());
-    triangles_.resize(spans_.size() * reducer_.shape().size());
+    triangles_.resize(spans_.size() * reduced_.shape().size());
     blocks_.resize(spans_.size() * system_.block_size());
     cells_.clear();
     rest_ = 0;
@@ -78,20 +88,27 @@ bool FreeFit::set_knots(const KnotSet& set) {
         const RightEnd end = i + 1 == spans_.size() ? RightEnd::closed : RightEnd::open;
         const Rows rows = rows_in(samples_, left, span, end);
         left.first = rows.last;
-        add_cells(knots_, k, spans_[i], samples_, rows, cells_);
-        const double* const t = triangle(span, rows, end);
-        std::copy_n(t, reducer_.shape().size(), triangles_.data() + i * reducer_.shape().size());
+        if (ends_ == Ends::open) add_cells(knots_, k, spans_[i], samples_, rows, cells_);
+        const double* const t = reduced_.triangle(span, rows, end);
+        std::copy_n(t, reduced_.shape().size(), triangles_.data() + i * reduced_.shape().size());
         firsts_[i] = static_cast<int>(spans_[i]) - k + 1;
-        rests_[i] = t[reducer_.shape().rest()];
+        rests_[i] = t[reduced_.shape().rest()];
         rest_ += rests_[i];
     }
-    const int functions = static_cast<int>(knots_.size()) - k;
-    if (rank_of(cells_, functions) < functions) return false;
+    if (ends_ == Ends::open && rank_of(cells_, functions) < functions) return false;
     for (std::size_t i = 0; i < spans_.size(); ++i) {
-        system_.make_block(knots_, spans_[i], triangles_.data() + i * reducer_.shape().size(),
+        system_.make_block(knots_, spans_[i], triangles_.data() + i * reduced_.shape().size(),
                            blocks_.data() + i * system_.block_size());
     }
     system_.solve(functions, firsts_, blocks_);
+    return is_determined(functions);
+}
+
+bool FreeFit::is_determined(int functions) {
+    if (ends_ == Ends::open) return true;
+    for (int j = 0; j < functions; ++j) {
+        if (!(system_.qr().scaled_pivot(j) > least_free_pivot)) return false;
+    }
     return true;
 }
 
@@ -108,24 +125,34 @@ double FreeFit::value(const KnotSet& set) {
     return sum;
 }
 
-/// dS/dt_l on every span, as rows of the reduced problem (R times Chebyshev coefficients), for
-/// the knot with index l: out[span * order + row].
-void FreeFit::make_slopes(std::size_t l, double* out) {
-    const int k = order(), width = reducer_.shape().width();
-    const std::span<const double> c = system_.coefficients(0);
+/// What is beyond the ends of a closed spline's list has no part in the domain: 0 there.
+void FreeFit::make_falls(std::size_t l) {
+    const int k = order(), first = static_cast<int>(l) - k + 1, last = static_cast<int>(l);
+    falls_.assign(sides() * static_cast<std::size_t>(k), 0.0);
+    for (std::size_t side = 0; side < sides(); ++side) {
+        const std::span<const double> c = system_.coefficients(static_cast<int>(side));
+        const int stored = static_cast<int>(c.size());
+        for (int i = std::max(first, 0); i <= std::min(last, stored); ++i) {
+            const double before = i > 0 ? c[static_cast<std::size_t>(i - 1)] : 0;
+            const double here = i < stored ? c[static_cast<std::size_t>(i)] : 0;
+            const double gap = knots_[static_cast<std::size_t>(i + k - 1)] -
+                               knots_[static_cast<std::size_t>(i)];
+            falls_[side * static_cast<std::size_t>(k) + static_cast<std::size_t>(i - first)] =
+                gap > 0 ? (before - here) / gap : 0;
+        }
+    }
+}
+
+/// Adds dS/dt_l on every span, as rows of the reduced problem (R times Chebyshev coefficients), for
+/// the knot with index l and every side to the slopes of place v of m.
+void FreeFit::add_slopes(std::size_t l, std::size_t v, std::size_t m) {
+    const int k = order(), width = reduced_.shape().width();
     longer_ = knots_;
     longer_.insert(longer_.begin() + static_cast<std::ptrdiff_t>(l), knots_[l]);
-    std::fill(out, out + spans_.size() * static_cast<std::size_t>(k), 0.0);
+    make_falls(l);
     const int first = static_cast<int>(l) - k + 1, last = static_cast<int>(l);
-    double d[num::most_order], x[num::most_order], q[num::most_order];
+    double x[num::most_order], q[num::most_order];
     double values[num::most_order * num::most_order] = {}, b[num::most_order * num::most_order];
-    for (int i = first; i <= last; ++i) {
-        const double before = i > 0 ? c[static_cast<std::size_t>(i - 1)] : 0;
-        const double here = i < static_cast<int>(c.size()) ? c[static_cast<std::size_t>(i)] : 0;
-        const double gap = knots_[static_cast<std::size_t>(i + k - 1)] -
-                           knots_[static_cast<std::size_t>(i)];
-        d[i - first] = gap > 0 ? (before - here) / gap : 0;
-    }
     for (std::size_t s = 0; s < spans_.size(); ++s) {
         const std::size_t span = spans_[s] >= l ? spans_[s] + 1 : spans_[s];
         const int lowest = static_cast<int>(span) - k + 1;
@@ -136,19 +163,43 @@ void FreeFit::make_slopes(std::size_t l, double* out) {
         }
         num::basis_values_at(longer_, span, k, x, k, values);
         basis_.coefficients(values, k, b);
-        for (int a = 0; a < k; ++a) {
-            q[a] = 0;
-            for (int j = 0; j < k; ++j) {
-                const int f = lowest + j - first;
-                if (f >= 0 && f < k) q[a] += b[a * k + j] * d[f];
+        const double* const r = triangles_.data() + s * reduced_.shape().size();
+        for (std::size_t side = 0; side < sides(); ++side) {
+            const double* const d = falls_.data() + side * static_cast<std::size_t>(k);
+            for (int a = 0; a < k; ++a) {
+                q[a] = 0;
+                for (int j = 0; j < k; ++j) {
+                    const int f = lowest + j - first;
+                    if (f >= 0 && f < k) q[a] += b[a * k + j] * d[f];
+                }
+            }
+            double* const out = slopes_of(side, v, m) + s * static_cast<std::size_t>(k);
+            for (int i = 0; i < k; ++i) {
+                double sum = 0;
+                for (int a = i; a < k; ++a) sum += r[i * width + a] * q[a];
+                out[i] += sum;
             }
         }
-        const double* const r = triangles_.data() + s * reducer_.shape().size();
-        for (int i = 0; i < k; ++i) {
-            double sum = 0;
-            for (int a = i; a < k; ++a) sum += r[i * width + a] * q[a];
-            out[s * static_cast<std::size_t>(k) + static_cast<std::size_t>(i)] = sum;
+    }
+}
+
+/// By every place and side; all copies of a closed spline's knot move with it.
+void FreeFit::make_all_slopes(const KnotSet& set) {
+    const std::size_t k = static_cast<std::size_t>(order()), m = set.size();
+    const std::size_t turn = ends_ == Ends::open ? knots_.size()
+                                                 : static_cast<std::size_t>(functions_of(set));
+    slopes_.assign(sides() * m * slope_size(), 0.0);
+    std::size_t l = k;
+    for (std::size_t v = 0; v < m; ++v) {
+        for (std::size_t copy = l % turn; copy < knots_.size(); copy += turn) {
+            add_slopes(copy, v, m);
         }
+        // A knot that stands several times moves as one: the derivatives add up, and are equal.
+        for (std::size_t side = 0; side < sides() && set.times[v] > 1; ++side) {
+            double* const slope = slopes_of(side, v, m);
+            for (std::size_t i = 0; i < slope_size(); ++i) slope[i] *= set.times[v];
+        }
+        l += static_cast<std::size_t>(set.times[v]);
     }
 }
 
@@ -157,27 +208,22 @@ double FreeFit::gradient(const KnotSet& set, std::vector<double>& g) {
     g.assign(set.size(), 0.0);
     if (!(j < std::numeric_limits<double>::infinity())) return j;
     const std::size_t k = static_cast<std::size_t>(order());
-    const int width = reducer_.shape().width();
-    slopes_.resize(set.size() * spans_.size() * k);
-    std::size_t l = k;
-    for (std::size_t v = 0; v < set.size(); ++v) {
-        double* const slope = slopes_.data() + v * spans_.size() * k;
-        // A knot that stands several times moves as one: the derivatives add up, and are equal.
-        make_slopes(l, slope);
-        for (std::size_t i = 0; i < spans_.size() * k; ++i) slope[i] *= set.times[v];
-        l += static_cast<std::size_t>(set.times[v]);
-        double sum = 0;
+    const std::size_t width = static_cast<std::size_t>(reduced_.shape().width());
+    make_all_slopes(set);
+    for (std::size_t side = 0; side < sides(); ++side) {
         for (std::size_t s = 0; s < spans_.size(); ++s) {
             const double* const block = blocks_.data() + s * system_.block_size();
-            const double* const c = system_.coefficients(0).data() + firsts_[s];
+            const double* const c =
+                system_.coefficients(static_cast<int>(side)).data() + firsts_[s];
             for (std::size_t i = 0; i < k; ++i) {
-                const double* const row = block + i * static_cast<std::size_t>(width);
-                double rest = row[k];
+                const double* const row = block + i * width;
+                double rest = row[k + side];
                 for (std::size_t a = 0; a < k; ++a) rest -= row[a] * c[a];
-                sum += rest * slope[s * k + i];
+                for (std::size_t v = 0; v < set.size(); ++v) {
+                    g[v] -= 2 * rest * slopes_of(side, v, set.size())[s * k + i];
+                }
             }
         }
-        g[v] = -2 * sum;
     }
     return j;
 }
@@ -185,27 +231,27 @@ double FreeFit::gradient(const KnotSet& set, std::vector<double>& g) {
 double FreeFit::normal_matrix(const KnotSet& set, std::vector<double>& g,
                               std::vector<double>& matrix) {
     const double j = gradient(set, g);
-    const int m = static_cast<int>(set.size()), k = order();
-    matrix.assign(set.size() * set.size(), 0.0);
+    const std::size_t m = set.size(), k = static_cast<std::size_t>(order());
+    matrix.assign(m * m, 0.0);
     if (m == 0 || !(j < std::numeric_limits<double>::infinity())) return j;
-    slopes_qr_.restart({k, static_cast<int>(knots_.size()) - k, 0, m});
-    rows_.resize(static_cast<std::size_t>(k * (k + m)));
-    for (std::size_t s = 0; s < spans_.size(); ++s) {
-        const double* const block = blocks_.data() + s * system_.block_size();
-        for (int i = 0; i < k; ++i) {
-            double* const row = rows_.data() + i * (k + m);
-            std::copy_n(block + i * reducer_.shape().width(), k, row);
-            for (int v = 0; v < m; ++v) {
-                row[k + v] = slopes_[(static_cast<std::size_t>(v) * spans_.size() + s) *
-                                         static_cast<std::size_t>(k) +
-                                     static_cast<std::size_t>(i)];
+    const std::size_t width = static_cast<std::size_t>(reduced_.shape().width());
+    slopes_system_.set_sides(static_cast<int>(m));
+    rows_.resize(spans_.size() * k * (k + m));
+    for (std::size_t side = 0; side < sides(); ++side) {
+        for (std::size_t s = 0; s < spans_.size(); ++s) {
+            const double* const block = blocks_.data() + s * system_.block_size();
+            for (std::size_t i = 0; i < k; ++i) {
+                double* const row = rows_.data() + (s * k + i) * (k + m);
+                std::copy_n(block + i * width, k, row);
+                for (std::size_t v = 0; v < m; ++v) {
+                    row[k + v] = slopes_of(side, v, m)[s * k + i];
+                }
             }
         }
-        slopes_qr_.absorb(firsts_[s], rows_.data(), k);
+        slopes_system_.factor(functions_of(set), firsts_, rows_);
+        const std::span<const double> products = slopes_system_.qr().residual_products();
+        for (std::size_t i = 0; i < m * m; ++i) matrix[i] += products[i];
     }
-    slopes_qr_.finish();
-    const std::span<const double> products = slopes_qr_.residual_products();
-    std::copy(products.begin(), products.end(), matrix.begin());
     return j;
 }
 

@@ -15,6 +15,7 @@ struct KnotChoice {
     std::vector<FitStep> path;
     std::vector<std::string> notes;
     std::vector<Alternative> alternatives;
+    std::vector<HeldDerivative> held;  ///< smooth though the knots stand often enough to jump
     int moved = 0;             ///< knots whose places were optimised
     bool by_data = false;      ///< knots chosen by the data
     bool is_met = true;
@@ -38,6 +39,9 @@ void require_inner_knots(std::span<const double> values, Interval range, int deg
 void require_enough(std::size_t samples, std::size_t functions);
 
 KnotChoice choose_knots(const Samples& samples, const LocalBasis& basis, const FitOptions& options);
+
+/// The same with knots inserted as bic wants them: where the outliers are, and the parameters.
+FitOptions by_insertion(const FitOptions& options);
 
 StopPlan stop_plan(const Samples& samples, const FitOptions& options);
 

@@ -38,11 +38,16 @@ std::vector<std::size_t> spans_of(std::span<const double> knots, int order) {
 }
 
 void KnotSystem::to_chebyshev(std::span<const double> knots, std::size_t span, double* b) const {
+    to_chebyshev(knots, span, {knots[span], knots[span + 1]}, b);
+}
+
+void KnotSystem::to_chebyshev(std::span<const double> knots, std::size_t span, Interval part,
+                              double* b) const {
     const int k = shape_.order;
     double x[num::most_order];
     double values[num::most_order * num::most_order] = {};
-    const double half = 0.5 * (knots[span + 1] - knots[span]);
-    const double middle = knots[span] + half;
+    const double half = 0.5 * part.length();
+    const double middle = part.lo + half;
     for (int i = 0; i < k; ++i) x[i] = middle + half * basis_->nodes()[static_cast<std::size_t>(i)];
     num::basis_values_at(knots, span, k, x, k, values);
     basis_->coefficients(values, k, b);
@@ -70,6 +75,12 @@ void KnotSystem::make_block_from(const double* b, const double* triangle, double
 
 void KnotSystem::solve(int functions, std::span<const int> firsts,
                        std::span<const double> blocks) {
+    factor(functions, firsts, blocks);
+    take_solution();
+}
+
+void KnotSystem::factor(int functions, std::span<const int> firsts,
+                        std::span<const double> blocks) {
     functions_ = functions;
     const int border = ends_ == Ends::closed ? std::min(shape_.order - 1, functions) : 0;
     const int columns = functions - border;
@@ -89,7 +100,6 @@ void KnotSystem::solve(int functions, std::span<const int> firsts,
         }
     }
     qr_.finish();
-    take_solution();
 }
 
 void KnotSystem::add_closed(int first, const double* block) {

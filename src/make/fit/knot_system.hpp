@@ -38,10 +38,17 @@ public:
     void make_block_from(const double* b, const double* triangle, double* block) const;
     /// B itself (order x order).
     void to_chebyshev(std::span<const double> knots, std::size_t span, double* b) const;
+    /// The same for coefficients on a part of the span.
+    void to_chebyshev(std::span<const double> knots, std::size_t span, Interval part,
+                      double* b) const;
 
     /// Solves for `functions` coefficients (and `shape.sides` sides): block i touches the
     /// functions firsts[i] ... firsts[i] + order - 1, counted round for a closed spline.
     void solve(int functions, std::span<const int> firsts, std::span<const double> blocks);
+    /// The triangle alone, in qr(); blocks of order x (order + sides).
+    void factor(int functions, std::span<const int> firsts, std::span<const double> blocks);
+    /// So many right-hand sides from now on.
+    void set_sides(int sides) { shape_.sides = sides; }
     /// The same, the squared differences of order `order` counted with weight `lightly`: for what
     /// the data leave open. Open splines only.
     void solve_smoothly(int functions, std::span<const int> firsts,

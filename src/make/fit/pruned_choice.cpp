@@ -1,144 +1,104 @@
 #include "make/fit/pruned_choice.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <string>
 
 #include "batten/base/text.hpp"
-#include "make/fit/knot_moves.hpp"
+#include "make/fit/broken_fit.hpp"
+#include "make/fit/free_fit.hpp"
+#include "make/fit/pruning.hpp"
+#include "make/fit/shape_limits.hpp"
 
 namespace batten::fitting {
 namespace {
 
 constexpr int most_sweeps = 100;
-constexpr double pruning_gain_enough = 0.01;  // of a criterion in which 2 is hardly worth mentioning
-constexpr double move_shares[] = {0.5, 0.25, 0.1, 0.03, 0.01};  // of a gap: how far a knot is moved
+constexpr std::size_t other_starts[] = {1, 4, 8, 16};  // equal intervals
 
-/// One set of knots after the other, each cheaper than the one before.
-class Pruning {
+/// Splines of several sides, or closed ones, with knots alone.
+class SmoothFit final : public SiteFit {
 public:
-    Pruning(FreeFit& fit, const Samples& samples, const KnotSet& start)
-        : fit_(fit), samples_(samples), set_(start) {
-        cost_ = cost_of(set_);
+    SmoothFit(const Samples& samples, const LocalBasis& basis, Ends ends)
+        : fit_(samples, basis, ends) {}
+
+    Interval domain() const override { return fit_.domain(); }
+    int order() const override { return fit_.order(); }
+    int most_times() const override { return fit_.most_times(); }
+    int parameters(const BrokenSites& sites) const override {
+        return fit_.parameters_of(knots_of(sites));
     }
-
-    const KnotSet& set() const { return set_; }
-    double delta2() { return fit_.value(set_); }
-
-    /// Whether anything was gained.
-    bool sweep() {
-        const double before = cost_;
-        take_out();
-        move();
-        stack();
-        put_in();
-        return cost_ < before - pruning_gain_enough;
+    double value(const BrokenSites& sites) override { return fit_.value(knots_of(sites)); }
+    std::vector<double> full_knots(const BrokenSites& sites) const {
+        return fit_.knots_of(knots_of(sites));
     }
 
 private:
-    double cost_of(const KnotSet& set) {
-        if (!is_ordered(fit_, set)) return infinite;
-        const double delta2 = fit_.value(set), n = static_cast<double>(samples_.size());
-        if (!std::isfinite(delta2)) return delta2;
-        // Where delta2 enters by its logarithm, interpolation would always win.
-        const int p = set.count() + fit_.order();
-        if (!samples_.sigma_known && 2 * p > static_cast<int>(samples_.size())) return infinite;
-        const double least = std::max(samples_.least_delta2, tiny);
-        const double misfit =
-            samples_.sigma_known ? delta2 : n * std::log(std::max(delta2, least));
-        return misfit + std::log(n) * set.count();
-    }
-
-    bool take(const KnotSet& next) {
-        const double cost = cost_of(next);
-        if (!(cost < cost_)) return false;
-        set_ = next;
-        cost_ = cost;
-        return true;
-    }
-
-    double before(std::size_t j) const { return j == 0 ? fit_.domain().lo : set_.at[j - 1]; }
-    double after(std::size_t j) const {
-        return j + 1 == set_.size() ? fit_.domain().hi : set_.at[j + 1];
-    }
-
-    void take_out() {
-        for (std::size_t j = set_.size(); j-- > 0;) {
-            while (j < set_.size() && take(fewer(set_, j))) {}
+    static KnotSet knots_of(const BrokenSites& sites) {
+        KnotSet set;
+        for (const BrokenSite& site : sites) {
+            set.at.push_back(site.at);
+            set.times.push_back(site.times);
         }
+        return set;
     }
 
-    /// Every site to where it serves better between its neighbours, long ways first.
-    void move() {
-        for (std::size_t j = 0; j < set_.size(); ++j) {
-            for (const double share : move_shares) {
-                for (const double side : {-1.0, 1.0}) {
-                    const double gap = side < 0 ? set_.at[j] - before(j) : after(j) - set_.at[j];
-                    KnotSet next = set_;
-                    next.at[j] += side * share * gap;
-                    take(next);
-                }
-            }
-        }
-    }
-
-    /// One knot of a site to its neighbour.
-    void stack() {
-        for (std::size_t j = 0; j < set_.size(); ++j) {
-            for (const int side : {-1, 1}) {
-                const std::size_t to = j + static_cast<std::size_t>(side);
-                if (to >= set_.size() || set_.times[to] >= fit_.order()) continue;
-                KnotSet next = set_;
-                ++next.times[to];
-                if (take(fewer(next, j))) break;
-            }
-        }
-    }
-
-    /// One more knot at a site, or in the middle between two.
-    void put_in() {
-        for (std::size_t j = 0; j < set_.size(); ++j) {
-            if (set_.times[j] >= fit_.order()) continue;
-            KnotSet next = set_;
-            ++next.times[j];
-            take(next);
-        }
-        for (std::size_t gap = 0; gap <= set_.size(); ++gap) {
-            const double lo = gap == 0 ? fit_.domain().lo : set_.at[gap - 1];
-            const double hi = gap == set_.size() ? fit_.domain().hi : set_.at[gap];
-            KnotSet next = set_;
-            next.at.insert(next.at.begin() + static_cast<std::ptrdiff_t>(gap),
-                           knot_between({lo, hi}));
-            next.times.insert(next.times.begin() + static_cast<std::ptrdiff_t>(gap), 1);
-            take(next);
-        }
-    }
-
-    static KnotSet fewer(const KnotSet& set, std::size_t j) {
-        KnotSet next = set;
-        if (--next.times[j] > 0) return next;
-        next.at.erase(next.at.begin() + static_cast<std::ptrdiff_t>(j));
-        next.times.erase(next.times.begin() + static_cast<std::ptrdiff_t>(j));
-        return next;
-    }
-
-    static constexpr double infinite = std::numeric_limits<double>::infinity();
-    static constexpr double tiny = std::numeric_limits<double>::min();
-    FreeFit& fit_;
-    const Samples& samples_;
-    KnotSet set_;
-    double cost_ = 0;
+    FreeFit fit_;
 };
 
-/// Stacked knots are corners and jumps, whatever the data are: the reader is told where.
-void note_stacks(KnotChoice& choice, const KnotSet& set, int order) {
-    for (std::size_t j = 0; j < set.size(); ++j) {
-        if (set.times[j] < order - 1 || set.times[j] < 2) continue;
-        const char* const what = set.times[j] == order ? "knots: a jump at " : "knots: a corner at ";
-        choice.notes.push_back(what + format_number(set.at[j]) + ", where " +
-                               std::to_string(set.times[j]) + " stand");
+/// A knot at each of the breaks but the ends.
+BrokenSites knots_at(std::span<const double> breaks) {
+    BrokenSites sites;
+    for (std::size_t i = 1; i + 1 < breaks.size(); ++i) sites.push_back({breaks[i], 1, false, false});
+    return sites;
+}
+
+/// Sweeps until nothing is gained; whether that was soon.
+bool settle(Pruning& pruning) {
+    int sweeps = 0;
+    while (sweeps < most_sweeps && pruning.sweep()) ++sweeps;
+    return sweeps < most_sweeps;
+}
+
+/// The best of several starts, with breaks. `breaks`: of the inserted knots, whose intervals are
+/// short where there may be one.
+bool improve_with_breaks(Pruning& best, BrokenFit& fit, const Samples& samples,
+                         std::span<const double> breaks) {
+    std::vector<double> places;
+    for (std::size_t i = 1; i < breaks.size(); ++i) {
+        places.push_back(knot_between({breaks[i - 1], breaks[i]}));
+        places.push_back(breaks[i]);
     }
+    for (const std::size_t intervals : other_starts) {
+        Pruning other(fit, samples, knots_at(equal_breaks(samples.range, intervals)));
+        if (!other.grow(places, best)) continue;
+        settle(other);
+        if (other.cost() < best.cost()) best = std::move(other);
+    }
+    for (int round = 0; round < most_sweeps; ++round) {
+        if (!settle(best)) return false;
+        if (!best.put_in_breaks(places)) return true;
+    }
+    return false;
+}
+
+/// Of one function y(x).
+void prune_with_breaks(KnotChoice& choice, const Samples& samples, const LocalBasis& basis,
+                       const FitOptions& options) {
+    const int order = basis.order();
+    const std::span<const double> breaks = std::span(choice.knots)
+        .subspan(static_cast<std::size_t>(order - 1),
+                 choice.knots.size() - 2 * static_cast<std::size_t>(order - 1));
+    BrokenFit fit(samples, basis);
+    Pruning pruning(fit, samples, knots_at(breaks));
+    choice.is_converged = settle(pruning);
+    // Limits are kept by all coefficients over stacked knots.
+    if (!has_limits(options)) {
+        choice.is_converged = improve_with_breaks(pruning, fit, samples, breaks);
+    }
+    StackedKnots knots = stacked(pruning.sites(), samples.range, order);
+    choice.knots = std::move(knots.knots);
+    choice.held = std::move(knots.held);
+    choice.moved = knots_in(pruning.sites()) + alone_in(pruning.sites());
+    note_breaks(choice, pruning.sites(), order);
 }
 
 }  // namespace
@@ -151,20 +111,37 @@ KnotChoice pruned_knots(const Samples& samples, const LocalBasis& basis,
     KnotChoice choice = choose_knots(samples, basis, insertion);
     choice.alternatives.clear();
     choice.notes.clear();
-    KnotSet start;
-    for (const double t : choice.knots) {
-        if (t > samples.range.lo && t < samples.range.hi) start.at.push_back(t);
+    if (samples.sides.size() == 1 && !options.closed) {
+        prune_with_breaks(choice, samples, basis, options);
+        return choice;
     }
-    start.times.assign(start.at.size(), 1);
-    FreeFit fit(samples, basis);
-    Pruning pruning(fit, samples, start);
-    int sweeps = 0;
-    while (sweeps < most_sweeps && pruning.sweep()) ++sweeps;
-    choice.is_converged = sweeps < most_sweeps;
-    choice.knots = open_knots(samples.range, pruning.set().flat(), basis.order());
-    choice.moved = pruning.set().count();
-    note_stacks(choice, pruning.set(), basis.order());
+    SmoothFit fit(samples, basis, ends_of(options));
+    Pruning pruning(fit, samples, sites_of(choice.knots, samples.range));
+    choice.is_converged = settle(pruning);
+    choice.knots = fit.full_knots(pruning.sites());
+    choice.moved = knots_in(pruning.sites());
+    if (samples.sides.size() == 1) note_breaks(choice, pruning.sites(), basis.order());
     return choice;
+}
+
+void note_breaks(KnotChoice& choice, const BrokenSites& sites, int order) {
+    for (const BrokenSite& site : sites) {
+        const std::string place = format_number(site.at);
+        if (site.jump) choice.notes.push_back("knots: a jump at " + place);
+        if (site.corner) choice.notes.push_back("knots: a corner at " + place);
+        if (site.alone() > 0 || site.times < order - 1 || site.times < 2) continue;
+        const char* const what = site.times == order ? "knots: a jump at " : "knots: a corner at ";
+        choice.notes.push_back(what + place + ", where " + std::to_string(site.times) + " stand");
+    }
+}
+
+BrokenSites sites_of(std::span<const double> knots, Interval range) {
+    const KnotSet set = KnotSet::of(knots, range);
+    BrokenSites sites;
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        sites.push_back({set.at[i], set.times[i], false, false});
+    }
+    return sites;
 }
 
 }  // namespace batten::fitting
