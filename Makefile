@@ -53,7 +53,7 @@ package: ## pack library and command as .tar.gz and .deb, into build/release/pac
 
 bench: ## measure speed beside the peers, into docs/benchmarks.md
 	@./setup.sh core test bench
-	@$(call compile,release,batten_speed)
+	@$(call compile,release,batten_speed surface_speed)
 	@/usr/bin/python3 bench/speed/run.py build/release/bench/batten_speed .
 
 test: ## run all tests

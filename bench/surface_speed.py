@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 """Surfaces against summing the array and against SciPy (FITPACK) in one run on one core.
 
-usage: taskset -c 0 surface_speed.py PROGRAM    (PROGRAM: build/release/bench/surface_speed)
+usage: taskset -c 0 surface_speed.py build/release/bench/surface_speed [--table]
 
-Runs alternate; the least time of each side counts. `RectBivariateSpline(s)` and ours go to the same
-delta2; `bispev` is what RectBivariateSpline calls for a grid.
+Runs alternate; the least CPU time of each side counts. `RectBivariateSpline(s)` and ours go to the
+same delta2; `bispev` is what RectBivariateSpline calls for a grid. `make bench` puts the table into
+docs/benchmarks.md.
 """
 
+import collections
 import os
 import subprocess
 import sys
@@ -17,6 +19,8 @@ import numpy
 from scipy import interpolate
 
 ROUNDS = 3
+# ours, theirs in seconds; goal: that often faster, or below 0 that many times theirs at most.
+Case = collections.namedtuple("Case", "title ours peer theirs goal remark")
 
 
 def hills(x, y):
@@ -25,9 +29,9 @@ def hills(x, y):
 
 
 def timed(work):
-    start = time.perf_counter()
+    start = time.process_time()
     result = work()
-    return time.perf_counter() - start, result
+    return time.process_time() - start, result
 
 
 def batten(program, path, m, n, *arguments):
@@ -52,25 +56,27 @@ def against_sum(program, path):
             strips = () if name == "sum" else ("197", "197")
             times[name].append(batten(program, path, m, n, name, *strips)[0])
     least = {name: min(values) for name, values in times.items()}
-    for name, limit in (("fit", 3), ("report", 6)):
-        print(f"4096 x 4096, 200 x 200 coefficients, {name}: {least[name] * 1e3:.1f} ms, "
-              f"{least[name] / m / n * 1e9:.2f} ns a node, {least[name] / least['sum']:.2f} x "
-              f"the sum's {least['sum'] * 1e3:.1f} ms (goal {limit})")
+    for name, title, goal in (("fit", "the fit", -3), ("report", "with delta2 and psi", -6)):
+        yield Case(f"4096 x 4096 nodes, 200 x 200 coefficients: {title}", least[name],
+                   "summing the array", least["sum"], goal,
+                   f"{least[name] / m / n * 1e9:.2f} ns a node")
 
 
-def automatic(program, path, m, n, sigma, goal):
-    x, y, z = data(m, n, sigma, path)
+def automatic(program, path, m, n, goal):
+    x, y, z = data(m, n, .05, path)
     theirs, ours = [], []
     for _ in range(ROUNDS if m < 2000 else 1):
         seconds, spline = timed(lambda: interpolate.RectBivariateSpline(x, y, z, s=m * n))
         theirs.append(seconds)
         fp = spline.get_residual()
         ours.append(batten(program, path, m, n, "auto", repr(fp)))
-    mine, other = min(run[0] for run in ours), min(theirs)
+    if m >= 2000:
+        ours += [batten(program, path, m, n, "auto", repr(fp)) for _ in range(ROUNDS - 1)]
     tx, ty = spline.get_knots()
-    print(f"{m} x {n} automatic: {mine * 1e3:.2f} ms against {other * 1e3:.2f} ms, "
-          f"{other / mine:.1f} x (goal {goal}); delta2 {ours[0][2]:.6g} against {fp:.6g}, strips "
-          f"{int(ours[0][3])} x {int(ours[0][4])} against {len(tx) - 7} x {len(ty) - 7}")
+    yield Case(f"{m} x {n} nodes, automatic knot lines", min(run[0] for run in ours),
+               "RectBivariateSpline(s)", min(theirs), goal,
+               f"delta2 {ours[0][2]:.7g} against {fp:.7g}, strips {int(ours[0][3])} x "
+               f"{int(ours[0][4])} against {len(tx) - 7} x {len(ty) - 7}")
 
 
 def evaluation(program, path):
@@ -85,20 +91,43 @@ def evaluation(program, path):
         theirs.append(timed(lambda: interpolate.bisplev(x, x, (knots, knots, c, 3, 3))))
     mine, (other, z) = min(run[0] for run in ours), min(theirs, key=lambda run: run[0])
     difference = abs(z.ravel()[m * n // 2] - ours[0][2])
-    print(f"4096 x 4096 values of 64 x 64 coefficients: {mine / m / n * 1e9:.2f} ns a node, bispev "
-          f"{other / m / n * 1e9:.2f}, {other / mine:.1f} x (goal 8); they differ by {difference:.1e}")
+    yield Case("4096 x 4096 values of 64 x 64 coefficients", mine, "bispev", other, 8,
+               f"{mine / m / n * 1e9:.2f} ns a value; they differ by {difference:.1e}")
 
 
-def main():
-    program = sys.argv[1]
+def cases(program):
     os.environ["OMP_NUM_THREADS"] = "1"
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "z")
-        against_sum(program, path)
-        evaluation(program, path)
-        automatic(program, path, 61, 51, .05, 2)
-        automatic(program, path, 512, 512, .05, 30)
-        automatic(program, path, 4096, 4096, .05, 30)
+        yield from against_sum(program, path)
+        yield from evaluation(program, path)
+        for m, n, goal in ((61, 51, 2), (512, 512, 30), (4096, 4096, 30)):
+            yield from automatic(program, path, m, n, goal)
 
 
-main()
+def ratio(case):
+    if case.goal < 0:
+        return f"takes {case.ours / case.theirs:.2f} × (goal: at most {-case.goal})"
+    return f"{case.theirs / case.ours:.1f} × (goal: {case.goal})"
+
+
+def table(program):
+    """For docs/benchmarks.md."""
+    lines = ["| | Batten | peer | peer's | ratio | |", "|---|---:|---|---:|---:|---|"]
+    for case in cases(program):
+        lines.append(f"| {case.title} | {case.ours * 1e3:.3g} | {case.peer} | "
+                     f"{case.theirs * 1e3:.3g} | {ratio(case)} | {case.remark} |")
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    if "--table" in sys.argv:
+        print(table(sys.argv[1]), end="")
+        return
+    for case in cases(sys.argv[1]):
+        print(f"{case.title}: {case.ours * 1e3:.3g} ms, {case.peer} {case.theirs * 1e3:.3g} ms, "
+              f"{ratio(case)}; {case.remark}", flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -35,6 +35,7 @@ OPERATIONS = {
     "log-aesthetic-segment": "A log-aesthetic segment by its triangle, ns",
     "fair-surface": "Fairing a grid of points, ns in all; by nodes",
 }
+SURFACES = "fit-surface"  # bench/surface_speed.py
 PLACE = pathlib.Path(__file__).resolve().parent
 
 
@@ -125,6 +126,12 @@ def processor():
     return platform.machine()
 
 
+def surfaces(program):
+    text = pinned("/usr/bin/python3", str(PLACE.parent / "surface_speed.py"), program, "--table")
+    return ("\n## Surfaces on grids, ms\n\nThe least of some runs each. Automatic knot lines go to the "
+            "residual that RectBivariateSpline(s = number of nodes) reaches.\n\n" + text)
+
+
 def page(medians, loads):
     copy = medians["copy/machine/10000000"]
     compiler = subprocess.run(["c++", "-dumpfullversion"], capture_output=True, text=True).stdout
@@ -152,10 +159,12 @@ def page(medians, loads):
 def main():
     program, source, *operations = sys.argv[1:]
     before = os.getloadavg()[0]
-    figures = measured(program, operations or list(OPERATIONS))
+    figures = measured(program, [each for each in operations or OPERATIONS if each != SURFACES])
     medians = {name: statistics.median(values) for name, values in figures.items()}
     pathlib.Path(program + ".json").write_text(json.dumps(figures, indent=1) + "\n")
     text = page(medians, (before, os.getloadavg()[0]))
+    if not operations or SURFACES in operations:
+        text += surfaces(str(pathlib.Path(program).with_name("surface_speed")))
     pathlib.Path(source, "docs", "benchmarks.md").write_text(text, encoding="utf-8")
     print(text)
 

@@ -37,7 +37,9 @@ struct PlaceRange {
 /// Cost: order operations a place and side, one pass over the array.
 class Tensor {
 public:
-    Tensor(const TensorSide& x, const TensorSide& y);
+    /// What it is wanted for: products alone need less memory.
+    enum class Use { all, products };
+    Tensor(const TensorSide& x, const TensorSide& y, Use use = Use::all);
 
     const TensorSide& x() const { return *x_; }
     const TensorSide& y() const { return *y_; }
@@ -45,9 +47,14 @@ public:
     /// out(r, s) = sum over i, j of x_i(r) c(i, j) y_j(s) for the x-places `rows`; `out` holds
     /// their rows only.
     void expand(std::span<const double> c, PlaceRange rows, std::span<double> out) const;
-    /// The same piece by piece, each once, stored nowhere: values[s] at (row, columns.first + s).
-    using Visit = std::function<void(std::size_t row, PlaceRange columns, const double* values)>;
-    void for_each_piece(std::span<const double> c, PlaceRange rows, const Visit& visit) const;
+    /// The same block by block, stored nowhere: at (r, s) of a block the sum over i of
+    /// x().at(r)[i] lines[i][s].
+    struct Block {
+        PlaceRange rows, columns;
+        const double* const* lines;
+    };
+    using Visit = std::function<void(const Block& block)>;
+    void for_each_block(std::span<const double> c, const Visit& visit) const;
     /// g(i, j) += sum over r, s of x_i(r) z(r, s) y_j(s); `z` holds the rows of the places `rows`
     /// only.
     void contract(std::span<const double> z, PlaceRange rows, std::span<double> g) const;
@@ -65,6 +72,7 @@ private:
         std::size_t stride;
     };
     class Lines;
+    class Gathered;
     /// What x-places with the same functions have in common, cut to a few rows.
     PlaceRange rows_alike(std::size_t first, std::size_t last) const;
     std::span<const Run> runs_of(std::size_t block) const;
@@ -72,7 +80,7 @@ private:
 
     const TensorSide* x_;
     const TensorSide* y_;
-    std::vector<double> y_turned_;   ///< function after function: y_j(s) at [j * places + s]
+    std::vector<double> y_turned_;   ///< for expanding: y_j(s) at [j * places + s]
     std::vector<double> y_widened_;  ///< place after place, filled up to whole vectors
     std::size_t y_width_ = 1;        ///< of one place there
     std::vector<Run> runs_;          ///< of y-places with the same functions, cut at blocks

@@ -89,7 +89,8 @@ Inclusion inclusion_of(const BSplineBasis& coarse, const BSplineBasis& fine) {
     return all;
 }
 
-std::vector<double> transposed(const std::vector<double>& m, std::size_t rows, std::size_t columns) {
+std::vector<double> transposed(const std::vector<double>& m, std::size_t rows,
+                               std::size_t columns) {
     std::vector<double> result(m.size());
     for (std::size_t i = 0; i < rows; ++i) {
         for (std::size_t j = 0; j < columns; ++j) result[j * rows + i] = m[i * columns + j];
@@ -130,8 +131,9 @@ std::unique_ptr<Compressed> Compressed::of(const Nodes& nodes, int degree, int s
     };
     const BSplineBasis x = basis(nodes.x), y = basis(nodes.y);
     if (!is_determined(x, nodes.x) || !is_determined(y, nodes.y)) return nullptr;
-    return std::unique_ptr<Compressed>(new Compressed(
-        nodes, Axis(x, nodes.x, nodes.x_weight, nodes.x), Axis(y, nodes.y, nodes.y_weight, nodes.y)));
+    return std::unique_ptr<Compressed>(
+        new Compressed(nodes, Axis(x, nodes.x, nodes.x_weight, nodes.x),
+                       Axis(y, nodes.y, nodes.y_weight, nodes.y)));
 }
 
 Compressed::Compressed(const Nodes& nodes, Axis x, Axis y)
@@ -151,7 +153,7 @@ Compressed::Compressed(const Nodes& nodes, Axis x, Axis y)
 
 double Compressed::read_nodes() {
     const std::size_t m = nodes_.x.size(), n = nodes_.y.size(), q = y_.functions();
-    const num::Tensor tensor(x_.normal(), y_.normal());
+    const num::Tensor tensor(x_.normal(), y_.normal(), num::Tensor::Use::products);
     heights_.assign(x_.functions() * q, 0.0);
     x_lines_.assign(q * m, 0.0);
     y_lines_.assign(x_.functions() * n, 0.0);

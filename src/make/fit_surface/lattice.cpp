@@ -92,6 +92,8 @@ void Lattice::expect_splits(Residuals residuals) {
 bool Lattice::go_to_finer_strips() {
     if (space_->is_of_nodes()) return false;
     finest_strips_ *= 2;
+    const std::size_t functions = static_cast<std::size_t>(finest_strips_ + degree_);
+    if (functions * (nodes_->x.size() + nodes_->y.size()) > nodes_->z.size()) return false;
     std::unique_ptr<SearchSpace> finer = Compressed::of(*nodes_, degree_, finest_strips_);
     if (!finer) return false;
     nested_ = Nested::over(*finer, degree_, rule_);

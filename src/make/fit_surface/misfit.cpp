@@ -2,7 +2,6 @@
 
 #include "make/fit_surface/residual_totals.hpp"
 #include "make/fit_surface/solve.hpp"
-#include "num/lanes.hpp"
 #include "num/rows.hpp"
 #include "num/tensor.hpp"
 
@@ -15,7 +14,8 @@ constexpr std::size_t rows_of_misfit = 16;
 class Strips {
 public:
     Strips(const Nodes& nodes, const Axis& x, const Axis& y, StripRule rule)
-        : nodes_(nodes), x_(x), y_(y), rule_(rule), tensor_(x.weighted(), y.weighted()),
+        : nodes_(nodes), x_(x), y_(y), rule_(rule),
+          tensor_(x.weighted(), y.weighted(), num::Tensor::Use::products),
           x_part_(x.basis().breaks().size() - 1, 0.0) {
         const std::size_t width = rule == StripRule::projected ? x.functions() : 1;
         y_sums_.assign(width * nodes.y.size(), 0.0);
@@ -122,12 +122,8 @@ Misfit misfit(const Nodes& nodes, const Axis& x, const Axis& y, const std::vecto
               std::optional<StripRule> rule) {
     if (rule) return misfit_with_strips(nodes, x, y, c, *rule);
     NodeTotals totals(nodes);
-    num::AlignedNumbers e(nodes.y.size());
     num::Tensor(x.plain(), y.plain())
-        .for_each_piece(c, {0, nodes.x.size()},
-                        [&](std::size_t r, num::PlaceRange columns, const double* heights) {
-                            totals.add(r, columns, heights, e.data());
-                        });
+        .for_each_block(c, [&](const num::Tensor::Block& block) { totals.add(block, x.plain()); });
     Misfit result;
     totals.finish(result);
     return result;

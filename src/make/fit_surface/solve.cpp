@@ -19,7 +19,8 @@ constexpr double harmless_spread = 100;
 class Passes {
 public:
     Passes(const Nodes& nodes, const Axis& x, const Axis& y)
-        : nodes_(nodes), plain_(x.plain(), y.plain()), normal_(x.normal(), y.normal()) {}
+        : nodes_(nodes), plain_(x.plain(), y.plain()),
+          normal_(x.normal(), y.normal(), num::Tensor::Use::products) {}
 
     std::size_t unknowns() const {
         return plain_.x().functions * plain_.y().functions;
@@ -119,7 +120,8 @@ bool is_harmless(const Axis& x, const Axis& y) {
 Solution solve(const Nodes& nodes, const Axis& x, const Axis& y, Corrected corrected) {
     if (!nodes.is_full()) return conjugate_gradients(Passes(nodes, x, y), x, y);
     std::vector<double> products(x.functions() * y.functions(), 0.0);
-    num::Tensor(x.normal(), y.normal()).contract(nodes.z, {0, nodes.x.size()}, products);
+    num::Tensor(x.normal(), y.normal(), num::Tensor::Use::products)
+        .contract(nodes.z, {0, nodes.x.size()}, products);
     Solution result{inverted(std::move(products), x, y)};
     if (corrected == Corrected::where_needed && !is_harmless(x, y)) {
         add_times(result.coefficients, 1,
