@@ -11,6 +11,7 @@
 #include "batten/io/files.hpp"
 #include "batten/io/surface_file.hpp"
 #include "batten/io/table.hpp"
+#include "vocabulary.hpp"
 
 namespace batten::cli {
 namespace {
