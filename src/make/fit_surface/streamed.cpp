@@ -3,8 +3,9 @@
 
 #include "batten/base/error.hpp"
 #include "batten/make/fit_surface_chunks.hpp"
-#include "make/fit_surface/axes.hpp"
 #include "make/fit_surface/choice.hpp"
+#include "make/fit_surface/grid_lines.hpp"
+#include "make/fit_surface/mixed_noise.hpp"
 #include "make/fit_surface/shape_of_surface.hpp"
 
 namespace batten {
@@ -27,12 +28,8 @@ void require_fixed_lines(const FitSurfaceOptions& options) {
 
 /// The lines without their heights: enough for knots that do not depend on these.
 Nodes lines_of(const SurfaceStream& stream) {
-    require_rising(stream.x, "x");
-    require_rising(stream.y, "y");
-    if (stream.x.size() < 2 || stream.y.size() < 2) {
-        throw Error("fit-surface.axis", stream.x.size() < 2 ? "x" : "y", "fewer than two lines",
-                    "a grid has at least two lines in each direction");
-    }
+    require_lines(stream.x, "x");
+    require_lines(stream.y, "y");
     require_errors(stream.x_sigma, stream.x.size(), "x_sigma");
     require_errors(stream.y_sigma, stream.y.size(), "y_sigma");
     Nodes lines;
@@ -75,7 +72,7 @@ SurfaceFit fit_surface(const SurfaceStream& stream, const FitSurfaceOptions& opt
     double sigma = has_column ? 1 : options.sigma.value_or(1);
     SurfaceChunk chunk(BSplineBasis(choice.x_knots, options.degree),
                        BSplineBasis(choice.y_knots, options.degree), columns);
-    NoiseOfRows noise(columns.y);
+    MixedNoiseOfRows noise(columns.y);
     for_blocks(stream, progress.stage(0, 0.6), [&](const SurfaceRows& rows) {
         chunk.add(rows, sigma);
         if (!is_estimated) return;

@@ -3,8 +3,9 @@
 
 #include "batten/base/error.hpp"
 #include "batten/make/fit_surface_chunks.hpp"
-#include "make/fit_surface/axes.hpp"
+#include "make/fit_surface/chunk_rows.hpp"
 #include "make/fit_surface/filled_report.hpp"
+#include "make/fit_surface/grid_lines.hpp"
 
 namespace batten {
 

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+/// The lines of a grid in one direction, the errors along them, and its heights.
+namespace batten::surface_fitting {
+
+/// Throws `fit-surface.axis` unless the lines rise, `points.not-finite`.
+void require_rising(std::span<const double> lines, const char* name);
+
+/// The same for all lines of a grid, at least two.
+void require_lines(std::span<const double> lines, const char* name);
+
+/// Throws `fit-surface.sizes`, `fit.sigma` unless there are none or `count` errors above 0.
+void require_errors(std::span<const double> sigma, std::size_t count, const char* name);
+
+/// Throws `points.not-finite` at the first height that is none; rows of `columns` heights.
+void require_finite_heights(std::span<const double> z, std::size_t columns);
+
+/// 1 / sigma, or 1.
+std::vector<double> weights_of(std::span<const double> sigma, std::size_t count);
+
+}  // namespace batten::surface_fitting

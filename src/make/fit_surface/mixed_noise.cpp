@@ -1,0 +1,85 @@
+#include "make/fit_surface/mixed_noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "num/rows.hpp"
+
+namespace batten::surface_fitting {
+namespace {
+
+/// f(middle) against the line through its neighbours, over the norm of this functional.
+std::array<double, 3> second_difference(std::span<const double> t, std::size_t middle) {
+    const double gap = t[middle + 1] - t[middle - 1];
+    const double left = (t[middle + 1] - t[middle]) / gap;
+    const double right = 1 - left;
+    const double norm = std::sqrt(1 + left * left + right * right);
+    return {-left / norm, 1 / norm, -right / norm};
+}
+
+double noise_around_holes(const SurfaceSamples& given) {
+    double sum_sq = 0;
+    std::size_t count = 0;
+    for (std::size_t r = 1; r + 1 < given.x.size(); ++r) {
+        const std::array<double, 3> a = second_difference(given.x, r);
+        for (std::size_t s = 1; s + 1 < given.y.size(); ++s) {
+            const std::array<double, 3> b = second_difference(given.y, s);
+            double value = 0;
+            bool is_whole = true;
+            for (std::size_t i = 0; i < 3; ++i) {
+                for (std::size_t j = 0; j < 3; ++j) {
+                    is_whole = is_whole && given.z.has(r + i - 1, s + j - 1);
+                    value += a[i] * b[j] * given.z(r + i - 1, s + j - 1);
+                }
+            }
+            if (!is_whole) continue;
+            sum_sq += value * value;
+            ++count;
+        }
+    }
+    return count == 0 ? 0 : std::sqrt(sum_sq / static_cast<double>(count));
+}
+
+}  // namespace
+
+MixedNoise::MixedNoise(std::span<const double> y) : across_(y.size()) {
+    for (std::size_t s = 1; s + 1 < y.size(); ++s) columns_.push_back(second_difference(y, s));
+    values_.resize(columns_.size());
+}
+
+void MixedNoise::add(std::span<const double> x, std::span<const double> rows) {
+    std::fill(across_.begin(), across_.end(), 0.0);
+    num::add_combination(second_difference(x, 1), rows, across_);
+    for (std::size_t s = 0; s < columns_.size(); ++s) {
+        const std::array<double, 3>& b = columns_[s];
+        values_[s] = b[0] * across_[s] + b[1] * across_[s + 1] + b[2] * across_[s + 2];
+    }
+    sum_sq_ += num::sum_of_squares(values_);
+    count_ += values_.size();
+}
+
+double MixedNoise::sigma() const {
+    return count_ == 0 ? 0 : std::sqrt(sum_sq_ / static_cast<double>(count_));
+}
+
+void MixedNoiseOfRows::add(double x, std::span<const double> z) {
+    if (x_.size() == 3) {
+        x_.erase(x_.begin());
+        rows_.erase(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(z.size()));
+    }
+    x_.push_back(x);
+    rows_.insert(rows_.end(), z.begin(), z.end());
+    if (x_.size() == 3) noise_.add(x_, rows_);
+}
+
+double mixed_noise(const SurfaceSamples& given) {
+    if (given.z.has_mask()) return noise_around_holes(given);
+    MixedNoise noise(given.y);
+    const std::size_t columns = given.y.size();
+    for (std::size_t r = 0; r + 2 < given.x.size(); ++r) {
+        noise.add(given.x.subspan(r, 3), given.z.values().subspan(r * columns, 3 * columns));
+    }
+    return noise.sigma();
+}
+
+}  // namespace batten::surface_fitting

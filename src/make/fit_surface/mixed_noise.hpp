@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "batten/make/fit_surface.hpp"
+
+/// Noise level from mixed second differences: blind to u(x) + v(y) and to bilinear parts.
+/// Source: [Immerkaer1996], for uneven grids.
+namespace batten::surface_fitting {
+
+/// Of rows without holes, three at a time. Nothing of fewer than three columns.
+class MixedNoise {
+public:
+    explicit MixedNoise(std::span<const double> y);
+
+    /// Three rows that follow each other, at these x; one behind the other in `rows`.
+    void add(std::span<const double> x, std::span<const double> rows);
+    /// 0 where there was nothing.
+    double sigma() const;
+
+private:
+    std::vector<std::array<double, 3>> columns_;
+    std::vector<double> across_, values_;
+    double sum_sq_ = 0;
+    std::size_t count_ = 0;
+};
+
+/// Of rows that come one by one.
+class MixedNoiseOfRows {
+public:
+    explicit MixedNoiseOfRows(std::span<const double> y) : noise_(y) {}
+
+    /// The next row; x rises from row to row.
+    void add(double x, std::span<const double> z);
+    double sigma() const { return noise_.sigma(); }
+
+private:
+    MixedNoise noise_;
+    std::vector<double> x_, rows_;  ///< the last three
+};
+
+/// Of a grid, from where all nine nodes of a difference are there.
+double mixed_noise(const SurfaceSamples& given);
+
+}  // namespace batten::surface_fitting
