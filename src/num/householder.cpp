@@ -6,6 +6,20 @@
 namespace batten::num {
 namespace {
 
+/// The first component of a reflection's vector, and 2 over the vector's square; `alpha` becomes what
+/// the reflection makes of it. `below_sq` > 0: the square of what goes to zero.
+struct ReflectionStart {
+    double head, factor;
+};
+
+inline ReflectionStart start_of(double& alpha, double below_sq) {
+    const double size = std::sqrt(alpha * alpha + below_sq);
+    const double beta = alpha > 0 ? -size : size;
+    const double head = alpha - beta;
+    alpha = beta;
+    return {head, 2 / (head * head + below_sq)};
+}
+
 /// One reflection: column `c` of `rows` rows goes to zero, the columns after it follow.
 void reflect(const Triangle& into, const RowBlock& block, int c, int rows) {
     double* const top = into.data + static_cast<std::size_t>(c) * into.stride;
@@ -16,12 +30,7 @@ void reflect(const Triangle& into, const RowBlock& block, int c, int rows) {
         below_sq += x * x;
     }
     if (below_sq == 0) return;
-    const double alpha = top[c];
-    const double beta = alpha > 0 ? -std::sqrt(alpha * alpha + below_sq)
-                                  : std::sqrt(alpha * alpha + below_sq);
-    const double head = alpha - beta;
-    const double factor = 2 / (head * head + below_sq);
-    top[c] = beta;
+    const auto [head, factor] = start_of(top[c], below_sq);
     for (int j = c + 1; j < into.width; j += 8) {
         const int last = std::min(into.width, j + 8);
         double sums[8];
@@ -52,12 +61,7 @@ void reflect_fixed(const Triangle& into, const RowBlock& block, int c) {
         below_sq += row[i][c] * row[i][c];
     }
     if (below_sq == 0) return;
-    const double alpha = top[c];
-    const double beta = alpha > 0 ? -std::sqrt(alpha * alpha + below_sq)
-                                  : std::sqrt(alpha * alpha + below_sq);
-    const double head = alpha - beta;
-    const double factor = 2 / (head * head + below_sq);
-    top[c] = beta;
+    const auto [head, factor] = start_of(top[c], below_sq);
     for (int j = c + 1; j < Width; ++j) {
         double sum = head * top[j];
         for (int i = 0; i < Rows; ++i) sum += row[i][c] * row[i][j];
