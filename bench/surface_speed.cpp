@@ -6,7 +6,8 @@
 ///     surface_speed DATA M N auto DELTA2      automatic knot lines to that delta2
 ///     surface_speed DATA M N evaluate K       a surface of K x K coefficients on the M x N nodes
 ///
-/// Prints the least and the median seconds of the processor, and the numbers of surface_speed.py. See there.
+/// Prints the least and the median seconds of the processor, and the numbers that surface_speed.py
+/// tells.
 
 #include <algorithm>
 #include <cmath>

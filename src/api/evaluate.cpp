@@ -36,8 +36,10 @@ struct EvaluateOptions {
 template <class Options, class Visit>
     requires std::same_as<std::remove_const_t<Options>, EvaluateOptions>
 void visit_fields(Options& o, Visit&& visit) {
-    visit("at", o.at, anything, "parameters to evaluate at; abscissae where the curve is y(x); on a surface places X,Y");
-    visit("count", o.count, between(2, 1e8), "so many parameters, evenly over the domain; so many a side of a surface");
+    visit("at", o.at, anything,
+          "parameters to evaluate at; abscissae where the curve is y(x); on a surface places X,Y");
+    visit("count", o.count, between(2, 1e8),
+          "so many parameters, evenly over the domain; so many a side of a surface");
     visit("derivatives", o.derivatives, between(0, most_derivatives),
           "derivatives by the parameter, up to this one");
     visit("integral", o.integral, anything,

@@ -22,16 +22,16 @@ struct CurveFit {
 /// Minimises delta2 = sum of |P_i - C(t_i)|^2 / sigma_i^2. The t_i start as chord lengths; then, in
 /// turn, they move to where the curve is nearest (options.corrections times at most, in order, the
 /// ends of an open curve held) and the curve is fitted again. Knots are chosen twice, before and
-/// after; those to be moved then move on in turn with the parameters. Errors: `sigma` (one a point; inf: no weight), options.sigma, or estimated from
-/// differences of neighbours. options.robust takes distances |P_i - C(t_i)| for residuals; a point
-/// that is rejected counts in no chord length.
+/// after; those to be moved then move on in turn with the parameters. Errors: `sigma` (one a point;
+/// inf: no weight), options.sigma, or estimated from differences of neighbours. options.robust takes
+/// distances |P_i - C(t_i)| for residuals; a point that is rejected counts in no chord length.
 /// In the report every coordinate counts as a sample and every coefficient of a coordinate as a
 /// parameter; there is no band, and coefficients stand coordinate after coordinate.
 ///
 /// Accuracy: a local minimum; t_i to 1e-3 of the gain of the last correction.
-/// Cost: (corrections + 2) fits; `free` knots that of a search for each number of them. Throws `points.dimension` for other than 2 or 3 coordinates,
-/// `points.all-equal`, `fit.options` for degree 0 and what makes no sense for a curve, and what
-/// `fit` throws.
+/// Cost: (corrections + 2) fits; `free` knots that of a search for each number of them.
+/// Throws: `points.dimension` for other than 2 or 3 coordinates, `points.all-equal`, `fit.options`
+/// for degree 0 and what makes no sense for a curve, and what `fit` throws.
 /// Source: parameter correction [Hoschek1988].
 CurveFit fit_curve(PointsView points, std::span<const double> sigma, const FitOptions& options);
 

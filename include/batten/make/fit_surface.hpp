@@ -41,8 +41,9 @@ struct SurfaceFit {
 ///         (2) x or y x 2^k gives the same coefficients, knots x 2^k, exactly
 ///         (3) x and y exchanged give the exchanged surface, to rounding
 /// Accuracy: seminormal equations of the banded QR factors, corrected once where weights or
-///         knots are uneven: as good as QR while the matrices have condition numbers below 1e7. Missing nodes and errors
-///         that are no product: conjugate gradients until their energy norm has fallen by 1e-11.
+///         knots are uneven: as good as QR while the matrices have condition numbers below 1e7.
+///         Missing nodes and errors that are no product: conjugate gradients until their energy norm
+///         has fallen by 1e-11.
 /// Cost:   full grids a few operations a node and degree, little more than reading them; all
 ///         automatic knot lines together once that from 50,000 nodes on, each a few operations a
 ///         node below. A conjugate-gradient step twice that.

@@ -55,8 +55,8 @@ public:
     std::size_t samples() const { return samples_; }
 
     /// The fit. The report's psi and max_residual stay empty: they need the rows once more, see
-    /// `SurfaceResiduals`; separability and oscillation are those on 65 even rows. Throws `fit.too-few` for fewer nodes than coefficients,
-    /// `number.overflow`.
+    /// `SurfaceResiduals`; separability and oscillation are those on 65 even rows. Throws
+    /// `fit.too-few` for fewer nodes than coefficients, `number.overflow`.
     SurfaceFit solve() const;
 
 private:

@@ -12,11 +12,11 @@ namespace batten::fitting {
 /// N ln delta2 where sigma is not known, and ln N for every parameter, places counted by how exactly
 /// the data know them.
 ///
-/// A coefficient counts as one, each coordinate's by itself. The place of a jump is known to one gap of N and counts as two
-/// [ZhangSiegmund2007]; that of a corner, known to the root of that, as one and a half, at which
-/// smooth data get one in 1 of 20 sets (as one: in 5); that of a knot as a half: as nothing, a tenth
-/// more knots are left at N = 201 for the same error, as one, narrow peaks have an error a fifth
-/// larger.
+/// A coefficient counts as one, each coordinate's by itself. The place of a jump is known to one gap
+/// of N and counts as two [ZhangSiegmund2007]; that of a corner, known to the root of that, as one
+/// and a half, at which smooth data get one in 1 of 20 sets (as one: in 5); that of a knot as a half:
+/// as nothing, a tenth more knots are left at N = 201 for the same error, as one, narrow peaks have
+/// an error a fifth larger.
 class Pruning {
 public:
     Pruning(SiteFit& fit, const Samples& samples, BrokenSites start);
