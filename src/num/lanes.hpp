@@ -28,8 +28,9 @@ BATTEN_INLINE long long sum_of(const LaneMask& v) {
     return sum;
 }
 
-BATTEN_INLINE double largest_of(const Lanes& v) {
-    double largest = v[0];
+template <class V>
+BATTEN_INLINE auto largest_of(const V& v) {
+    auto largest = v[0];
     for (std::size_t l = 1; l < lanes; ++l) largest = v[l] > largest ? v[l] : largest;
     return largest;
 }

@@ -1,16 +1,15 @@
 #include <algorithm>
-#include <array>
 #include <cassert>
 
 #include "batten/shape/spline_function.hpp"
 #include "num/clones.hpp"
-#include "shape/knots.hpp"
+#include "shape/horner.hpp"
 
 /// Many abscissae at once: runs of one piece with its coefficients in registers.
 namespace batten {
 namespace {
 
-using Coefficients = std::array<double, knots::most_order>;
+using knots::PowerForm;
 
 /// Abscissae are looked at in blocks, which compilers turn into vectors.
 constexpr std::size_t run_block = 32;
@@ -36,17 +35,14 @@ std::size_t run_from(std::span<const double> x, std::size_t first, Interval piec
 }
 
 template <int Degree>
-BATTEN_INLINE void horner(const Coefficients& c, double origin, std::span<const double> x,
+BATTEN_INLINE void horner(const PowerForm& c, double origin, std::span<const double> x,
                           double* out) {
     for (std::size_t i = 0; i < x.size(); ++i) {
-        const double u = x[i] - origin;
-        double sum = c[Degree];
-        for (int j = Degree; j-- > 0;) sum = sum * u + c[j];
-        out[i] = sum;
+        knots::horner_at<Degree, double>(c, x[i] - origin, out[i]);
     }
 }
 
-BATTEN_CLONES void horner_any(const Coefficients& c, int degree, double origin,
+BATTEN_CLONES void horner_any(const PowerForm& c, int degree, double origin,
                               std::span<const double> x, double* out) {
     switch (degree) {
         case 0: return horner<0>(c, origin, x, out);
@@ -75,7 +71,7 @@ void SplineFunction::evaluate(std::span<const double> x, int derivative,
         std::fill_n(out.begin(), x.size(), 0.0);
         return;
     }
-    Coefficients factor{}, c{};
+    PowerForm factor{}, c{};
     for (int j = 0; j <= degree; ++j) {
         factor[j] = 1;
         for (int r = 0; r < derivative; ++r) factor[j] *= j + derivative - r;
@@ -95,7 +91,7 @@ void SplineFunction::evaluate(std::span<const double> x, int derivative,
 void SplineFunction::evaluate_jets(std::span<const double> x, std::span<double> value,
                                    std::span<double> first_out,
                                    std::span<double> second_out) const {
-    Coefficients c{};
+    PowerForm c{};
     const std::size_t stride = pieces();
     for (std::size_t first = 0; first < x.size();) {
         const std::size_t piece = piece_of(x[first]);

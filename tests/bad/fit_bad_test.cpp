@@ -286,7 +286,7 @@ TEST(FitChunkRefuses, WhatDoesNotBelongToIt) {
 TEST(FitRefuses, TheSameInManySamples) {
     const FitTable many = testing::noisy_curve(6000, 1, 1);
     const FitOptions options = given({20, 40, 60, 80});
-    for (const double bad : {nan, inf, -inf}) {
+    for (const double bad : {nan, -nan, inf, -inf}) {
         FitTable table = many;
         table.x[4321] = bad;
         EXPECT_EQ(refusal(table, options), "points.not-finite row 4321, column x") << bad;
@@ -294,7 +294,7 @@ TEST(FitRefuses, TheSameInManySamples) {
         table.y[5999] = bad;
         EXPECT_EQ(refusal(table, options), "points.not-finite row 5999, column y") << bad;
     }
-    for (const double bad : {nan, 0.0, -1.0}) {
+    for (const double bad : {nan, -nan, 0.0, -0.0, -1.0}) {
         FitTable table = many;
         table.sigma[77] = bad;
         EXPECT_EQ(refusal(table, options), "fit.sigma row 77, column sigma") << bad;

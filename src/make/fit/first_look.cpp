@@ -1,6 +1,7 @@
 #include "make/fit/first_look.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "num/lanes.hpp"
@@ -12,22 +13,19 @@ using num::LaneMask;
 using num::Lanes;
 using num::lanes;
 
+constexpr long long sign_bit = std::numeric_limits<long long>::min();
 constexpr double beyond_any = std::numeric_limits<double>::infinity();
 
-/// The running extremes and counts of one column.
-struct Column {
-    Lanes least = Lanes{} + beyond_any, largest = {};
-    LaneMask finite = {};
-
-    BATTEN_INLINE void add(const Lanes& v) {
-        least = v < least ? v : least;
-        largest = v > largest ? v : largest;
-        finite -= v <= std::numeric_limits<double>::max();
-    }
-};
+/// Numbers as the integers their bits are: from 0 up in the same order, then Inf, then NaN; below 0
+/// whatever has a sign.
+BATTEN_INLINE void load_bits(const double* from, LaneMask& to) {
+    std::memcpy(&to, from, sizeof to);
+}
 
 struct LookSums {
-    Column sizes, sigma;  ///< |y|, sigma
+    LaneMask largest = {};                                            ///< |y|
+    LaneMask least_sigma = LaneMask{} + std::bit_cast<long long>(beyond_any);
+    LaneMask largest_sigma = {};
     LaneMask rising = {};
 };
 
@@ -36,22 +34,37 @@ struct Columns {
     const double *x, *y, *sigma;
 };
 
-/// All columns in one loop: the processor fetches what runs on.
-BATTEN_CLONES void add_rows(const Columns& from, std::size_t count, LookSums& sums) {
+template <bool HasSigma>
+BATTEN_INLINE void add_blocks(const Columns& from, std::size_t count, LookSums& sums) {
     LookSums s = sums;
     for (std::size_t i = 0; i < count; i += lanes) {
-        Lanes x, before, y;
+        Lanes x, before;
+        LaneMask size;
         num::load(from.x + i, x);
         num::load(from.x + i - 1, before);
-        num::load(from.y + i, y);
+        load_bits(from.y + i, size);
         s.rising -= x >= before;
-        s.sizes.add(y < 0 ? -y : y);
-        if (!from.sigma) continue;
-        Lanes sigma;
-        num::load(from.sigma + i, sigma);
-        s.sigma.add(sigma);
+        size &= ~sign_bit;
+        s.largest = size > s.largest ? size : s.largest;
+        if (!HasSigma) continue;
+        LaneMask sigma;
+        load_bits(from.sigma + i, sigma);
+        s.least_sigma = sigma < s.least_sigma ? sigma : s.least_sigma;
+        s.largest_sigma = sigma > s.largest_sigma ? sigma : s.largest_sigma;
     }
     sums = s;
+}
+
+/// All columns in one loop: the processor fetches what runs on.
+BATTEN_CLONES void add_rows(const Columns& from, std::size_t count, LookSums& sums) {
+    if (from.sigma) add_blocks<true>(from, count, sums);
+    else add_blocks<false>(from, count, sums);
+}
+
+double number_of(long long bits) { return std::bit_cast<double>(bits); }
+
+void add_size(double size, FirstLook& look) {
+    look.largest = std::max(look.largest, std::isfinite(size) ? size : beyond_any);
 }
 
 void add_sigma(double sigma, SigmaRange& range) {
@@ -74,23 +87,22 @@ void look_at(const Samples& samples, Rows rows, FirstLook& look) {
     const auto add_one = [&](std::size_t i) {
         // The first one of all has none before it, but is not to be NaN.
         look.falls |= !(samples.x[i] >= samples.x[i > 0 ? i - 1 : i]);
-        look.largest = std::max(look.largest, std::isfinite(y[i]) ? std::fabs(y[i]) : beyond_any);
+        add_size(std::fabs(y[i]), look);
         if (sigma) add_sigma(sigma[i], look.sigma);
     };
     std::size_t row = rows.first;
     if (row == 0 && rows.last > 0) add_one(row++);
     const std::size_t whole = (rows.last - row) / lanes * lanes;
-    LookSums sums;
-    add_rows({samples.x.data() + row, y.data() + row, sigma ? sigma + row : nullptr}, whole, sums);
-    const long long all = static_cast<long long>(whole);
-    look.falls |= num::sum_of(sums.rising) != all;
-    const bool are_finite = num::sum_of(sums.sizes.finite) == all;
-    look.largest =
-        std::max(look.largest, are_finite ? num::largest_of(sums.sizes.largest) : beyond_any);
-    if (sigma && whole > 0) {
-        look.sigma.least = std::min(look.sigma.least, -num::largest_of(-sums.sigma.least));
-        look.sigma.largest = std::max(look.sigma.largest, num::largest_of(sums.sigma.largest));
-        look.sigma.are_usable &= num::sum_of(sums.sigma.finite) == all && look.sigma.least > 0;
+    if (whole > 0) {
+        LookSums sums;
+        add_rows({samples.x.data() + row, y.data() + row, sigma ? sigma + row : nullptr}, whole,
+                 sums);
+        look.falls |= num::sum_of(sums.rising) != static_cast<long long>(whole);
+        add_size(number_of(num::largest_of(sums.largest)), look);
+        if (sigma) {
+            add_sigma(number_of(~num::largest_of(~sums.least_sigma)), look.sigma);
+            add_sigma(number_of(num::largest_of(sums.largest_sigma)), look.sigma);
+        }
     }
     for (row += whole; row < rows.last; ++row) add_one(row);
 }

@@ -25,87 +25,108 @@ double largest_entry(std::span<const double> blocks, const TriangleShape& shape)
     return largest;
 }
 
-/// The triangles of all spans, and what counting needs (open splines).
+/// The rows of all spans, ready to be solved, and what counting needs (open splines).
 struct Reduced {
-    std::vector<double> triangles;
+    std::vector<double> blocks;
+    std::vector<int> firsts;
     std::vector<Cell> cells;
 };
 
-Reduced reduced(const Reducer& reducer, std::span<const double> knots, Ends ends,
-                FirstLook* look) {
+FixedFit unsolved(std::vector<double> knots, const LocalBasis& basis, const TriangleShape& shape,
+                  Ends ends) {
+    return {std::move(knots), KnotSystem(basis, shape, ends), 0, 0, {}, {}, {}, 0};
+}
+
+void add_block(const FixedFit& fit, std::size_t span, const double* triangle, Reduced& all) {
+    const std::size_t size = fit.system.block_size(), at = all.blocks.size();
+    all.blocks.resize(at + size);
+    all.firsts.push_back(static_cast<int>(span) - fit.system.order() + 1);
+    fit.system.make_block(fit.knots, span, triangle, all.blocks.data() + at);
+}
+
+Reduced reduced(const Reducer& reducer, const FixedFit& fit, FirstLook* look) {
     const Samples& samples = reducer.samples();
     const int order = reducer.shape().order;
-    const std::vector<std::size_t> spans = spans_of(knots, order);
+    const std::vector<std::size_t> spans = spans_of(fit.knots, order);
     Reduced all;
-    all.triangles.resize(spans.size() * reducer.shape().size());
+    all.blocks.reserve(spans.size() * fit.system.block_size());
+    all.firsts.reserve(spans.size());
+    std::vector<double> triangle(reducer.shape().size());
     Rows rest{0, samples.size()};
     for (std::size_t i = 0; i < spans.size(); ++i) {
-        const Interval span{knots[spans[i]], knots[spans[i] + 1]};
+        const Interval span{fit.knots[spans[i]], fit.knots[spans[i] + 1]};
         const RightEnd end = i + 1 == spans.size() ? RightEnd::closed : RightEnd::open;
         const Rows rows = rows_in(samples, rest, span, end);
         rest.first = rows.last;
         if (look) look_at(samples, rows, *look);
-        double* const out = all.triangles.data() + i * reducer.shape().size();
-        reducer.reduce(rows, span, Rest::unwanted, out);
-        if (ends == Ends::open) add_cells(knots, order, spans[i], samples, rows, all.cells);
+        reducer.reduce(rows, span, Rest::unwanted, triangle.data());
+        add_block(fit, spans[i], triangle.data(), all);
+        if (fit.system.ends() == Ends::open) {
+            add_cells(fit.knots, order, spans[i], samples, rows, all.cells);
+        }
     }
     return all;
+}
+
+void solve_closed(FixedFit& fit, const Reduced& all) {
+    fit.system.solve(fit.functions, all.firsts, all.blocks);
+    fit.rank = fit.functions;
+    for (int j = 0; j < fit.functions; ++j) {
+        if (fit.system.qr().scaled_pivot(fit.system.unknown(j)) > least_pivot) continue;
+        fit.undetermined.push_back(j);
+        --fit.rank;
+    }
+}
+
+void solve(FixedFit& fit, const TriangleShape& shape, const Reduced& all,
+           std::span<const Cell> cells) {
+    const int stored = static_cast<int>(fit.knots.size()) - shape.order;
+    const bool is_closed = fit.system.ends() == Ends::closed;
+    fit.functions = is_closed ? stored - (shape.order - 1) : stored;
+    if (is_closed) return solve_closed(fit, all);
+    fit.rank = rank_of(cells, fit.functions);
+    fit.undetermined = undetermined_coefficients(cells, fit.functions);
+    if (fit.undetermined.empty()) {
+        fit.system.solve(fit.functions, all.firsts, all.blocks);
+    } else {
+        fit.system.solve_smoothly(fit.functions, all.firsts, all.blocks,
+                                  lightly * largest_entry(all.blocks, shape));
+    }
 }
 
 }  // namespace
 
 FixedFit solve_from(std::vector<double> knots, const LocalBasis& basis, const TriangleShape& shape,
                     Ends ends, std::span<const double> triangles, std::span<const Cell> cells) {
-    FixedFit fit{std::move(knots), KnotSystem(basis, shape, ends), 0, 0, {}, {}, {}, 0};
-    const int order = shape.order;
-    const std::vector<std::size_t> spans = spans_of(fit.knots, order);
-    const std::size_t block = fit.system.block_size();
-    std::vector<double> blocks(spans.size() * block);
-    std::vector<int> firsts(spans.size());
-    for (std::size_t i = 0; i < spans.size(); ++i) {
-        firsts[i] = static_cast<int>(spans[i]) - order + 1;
-        fit.system.make_block(fit.knots, spans[i], triangles.data() + i * shape.size(),
-                              blocks.data() + i * block);
+    FixedFit fit = unsolved(std::move(knots), basis, shape, ends);
+    Reduced all;
+    for (const std::size_t span : spans_of(fit.knots, shape.order)) {
+        add_block(fit, span, triangles.data() + all.firsts.size() * shape.size(), all);
     }
-    const int stored = static_cast<int>(fit.knots.size()) - order;
-    fit.functions = ends == Ends::closed ? stored - (order - 1) : stored;
-    if (ends == Ends::closed) {
-        fit.system.solve(fit.functions, firsts, blocks);
-        fit.rank = fit.functions;
-        for (int j = 0; j < fit.functions; ++j) {
-            if (fit.system.qr().scaled_pivot(fit.system.unknown(j)) > least_pivot) continue;
-            fit.undetermined.push_back(j);
-            --fit.rank;
-        }
-        return fit;
-    }
-    fit.rank = rank_of(cells, fit.functions);
-    fit.undetermined = undetermined_coefficients(cells, fit.functions);
-    if (fit.undetermined.empty()) {
-        fit.system.solve(fit.functions, firsts, blocks);
-    } else {
-        fit.system.solve_smoothly(fit.functions, firsts, blocks,
-                                  lightly * largest_entry(blocks, shape));
-    }
+    solve(fit, shape, all, cells);
     return fit;
 }
 
 FixedFit solve_fixed(const Samples& samples, std::vector<double> knots, const LocalBasis& basis,
                      Ends ends) {
     const Reducer reducer(samples, basis);
-    const Reduced all = reduced(reducer, knots, ends, nullptr);
-    return solve_from(std::move(knots), basis, reducer.shape(), ends, all.triangles, all.cells);
+    FixedFit fit = unsolved(std::move(knots), basis, reducer.shape(), ends);
+    const Reduced all = reduced(reducer, fit, nullptr);
+    solve(fit, reducer.shape(), all, all.cells);
+    return fit;
 }
 
 std::optional<FixedFit> solve_looking(const Samples& samples, std::vector<double> knots,
                                       const LocalBasis& basis, Ends ends) {
     const Reducer reducer(samples, basis);
+    FixedFit fit = unsolved(std::move(knots), basis, reducer.shape(), ends);
     FirstLook look;
-    const Reduced all = reduced(reducer, knots, ends, &look);
+    const Reduced all = reduced(reducer, fit, &look);
     if (!look.is_clean(samples) || !has_usable_units(samples, look, basis.order() - 1)) {
         return std::nullopt;
     }
-    return solve_from(std::move(knots), basis, reducer.shape(), ends, all.triangles, all.cells);
+    solve(fit, reducer.shape(), all, all.cells);
+    return fit;
 }
 
 SplineFunction spline_of(const FixedFit& fixed, int side) {

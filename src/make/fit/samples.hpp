@@ -73,6 +73,8 @@ Samples reweighted(const Samples& samples, std::span<const double> factor);
 /// The rows with lo <= x < hi, or <= hi for the last interval of a spline.
 enum class RightEnd { open, closed };
 Rows rows_in(const Samples& samples, Rows within, Interval span, RightEnd end);
+/// The first of the rows, all of them from span.lo on, whose x is not below span.hi.
+std::size_t end_of_run(const Samples& samples, Rows within, Interval span);
 
 /// Noise level from second differences of neighbours, as a root mean square.
 /// Source: [GasserSrokaJennenSteinmetz1986, eq. 3].

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "make/fit/spline_residuals.hpp"
 #include "num/lanes.hpp"
 
 namespace batten::fitting {
@@ -20,6 +21,7 @@ struct Sums {
     Lanes delta2 = {};
     Lanes largest = {};
     LaneMask within[3] = {};
+    LaneMask beyond[psi_count] = {};  ///< |e| > i sigma, i > 3
     LaneMask positive = {}, sign_changes = {};
 };
 
@@ -30,21 +32,24 @@ struct Residuals {
     double common;
 };
 
+template <bool HasSigma>
 BATTEN_INLINE void sigma_at(const Residuals& r, std::size_t i, Lanes& out) {
-    out = Lanes{} + r.common;
-    if (r.sigma) num::load(r.sigma + i, out);
+    if (HasSigma) num::load(r.sigma + i, out);
+    else out = Lanes{} + r.common;
 }
 
-BATTEN_CLONES void add_lanes(const Residuals& r, std::size_t count, Sums& sums) {
-    Sums s = sums;
+BATTEN_INLINE void size_of(const Lanes& e, Lanes& out) { out = e < 0 ? -e : e; }
+
+template <bool HasSigma>
+BATTEN_INLINE void add_run(const Residuals& r, std::size_t first, std::size_t last, Sums& s) {
     const double weight = 1 / r.common;
-    for (std::size_t i = 0; i < count; i += lanes) {
-        Lanes e, before, sigma;
+    for (std::size_t i = first; i < last; i += lanes) {
+        Lanes e, before, sigma, size;
         num::load(r.e + i, e);
         num::load(r.e + i - 1, before);
-        sigma_at(r, i, sigma);
-        const Lanes size = e < 0 ? -e : e;
-        const Lanes q = r.sigma ? e / sigma : e * weight;
+        sigma_at<HasSigma>(r, i, sigma);
+        size_of(e, size);
+        const Lanes q = HasSigma ? e / sigma : e * weight;
         s.delta2 += q * q;
         s.largest = size > s.largest ? size : s.largest;
         for (int w = 0; w < 3; ++w) s.within[w] -= size <= (w + 1.0) * sigma;
@@ -52,21 +57,36 @@ BATTEN_CLONES void add_lanes(const Residuals& r, std::size_t count, Sums& sums) 
         s.positive -= is_positive;
         s.sign_changes -= is_positive ^ was_positive;
     }
-    sums = s;
 }
 
-BATTEN_CLONES void add_beyond(const Residuals& r, std::size_t count, LaneMask* beyond) {
-    for (std::size_t i = 0; i < count; i += lanes) {
-        Lanes e, sigma;
+template <bool HasSigma>
+BATTEN_INLINE void add_run_beyond(const Residuals& r, std::size_t first, std::size_t last, Sums& s) {
+    for (std::size_t i = first; i < last; i += lanes) {
+        Lanes e, sigma, size;
         num::load(r.e + i, e);
-        sigma_at(r, i, sigma);
-        const Lanes size = e < 0 ? -e : e;
-        for (int w = 3; w < psi_count; ++w) beyond[w] -= size > (w + 1.0) * sigma;
+        sigma_at<HasSigma>(r, i, sigma);
+        size_of(e, size);
+        for (int w = 3; w < psi_count; ++w) s.beyond[w] -= size > (w + 1.0) * sigma;
     }
 }
 
-BATTEN_CLONES void subtract_from(const double* y, std::size_t count, double* s) {
-    for (std::size_t i = 0; i < count; ++i) s[i] = y[i] - s[i];
+template <bool HasSigma>
+BATTEN_INLINE void add_runs(const Residuals& r, std::size_t count, Sums& sums) {
+    Sums s = sums;
+    for (std::size_t first = 0; first < count; first += short_run) {
+        const std::size_t last = std::min(first + short_run, count);
+        const long long before = num::sum_of(s.within[2]);
+        add_run<HasSigma>(r, first, last, s);
+        const long long within = num::sum_of(s.within[2]) - before;
+        if (within == static_cast<long long>(last - first)) continue;
+        add_run_beyond<HasSigma>(r, first, last, s);
+    }
+    sums = s;
+}
+
+BATTEN_CLONES void add_residuals(const Residuals& r, std::size_t count, Sums& sums) {
+    if (r.sigma) add_runs<true>(r, count, sums);
+    else add_runs<false>(r, count, sums);
 }
 
 /// Room for a chunk of residuals, the one before it, and zeros that fill up whole lanes.
@@ -97,7 +117,7 @@ public:
                 r.sigma = filled;
             }
         }
-        for (std::size_t i = 0; i < whole; i += short_run) add_run(r, i, whole);
+        add_residuals(r, whole, sums_);
         padded_ += whole - count;
         // The zeros count as positive.
         if (whole > count && last_ < 0) ++false_changes_;
@@ -114,7 +134,7 @@ public:
         t.max_residual = num::largest_of(sums_.largest);
         for (std::size_t w = 0; w < psi_count; ++w) {
             const std::size_t within = w < 3 ? counted(sums_.within[w]) - padded_
-                                             : count_ - counted(beyond_[w]);
+                                             : count_ - counted(sums_.beyond[w]);
             t.psi[w] = static_cast<double>(within) / n;
         }
         t.positive = counted(sums_.positive) - padded_;
@@ -123,17 +143,7 @@ public:
     }
 
 private:
-    void add_run(const Residuals& all, std::size_t first, std::size_t whole) {
-        const Residuals r{all.e + first, all.sigma ? all.sigma + first : nullptr, all.common};
-        const std::size_t count = std::min(short_run, whole - first);
-        const long long before = num::sum_of(sums_.within[2]);
-        add_lanes(r, count, sums_);
-        const long long within = num::sum_of(sums_.within[2]) - before;
-        if (within < static_cast<long long>(count)) add_beyond(r, count, beyond_);
-    }
-
     Sums sums_;
-    LaneMask beyond_[psi_count] = {};  ///< |e| > i sigma, i > 3
     std::size_t count_ = 0, padded_ = 0, false_changes_ = 0;
     double last_ = 0;
 };
@@ -155,11 +165,11 @@ ResidualTally tally(const Samples& samples, std::span<const double> residuals) {
 ResidualTally tally(const Samples& samples, const SplineFunction& spline, int side) {
     Pass pass;
     Chunk memory;
+    SplineResiduals residuals(samples, spline, side);
     double* const e = memory.residuals();
     for (std::size_t first = 0; first < samples.size(); first += chunk) {
         const std::size_t count = std::min(chunk, samples.size() - first);
-        spline.evaluate(samples.x.subspan(first, count), 0, {e, count});
-        subtract_from(samples.sides[static_cast<std::size_t>(side)].data() + first, count, e);
+        residuals.next(count, e);
         pass.add(samples, first, memory, count);
     }
     return pass.result();
