@@ -133,6 +133,23 @@ void BandedQr::solve_for(std::span<const double> z, std::span<double> out) const
     }
 }
 
+void BandedQr::solve_transposed(std::span<double> a) const {
+    const int width = shape_.width, columns = shape_.columns, border = shape_.border;
+    double* const beyond = a.data() + columns;
+    for (int j = 0; j < columns; ++j) {
+        const double* const r = row(j);
+        double* const at = a.data() + j;
+        const double value = at[0] = r[0] == 0 ? 0 : at[0] / r[0];
+        for (int l = 1; l < width && j + l < columns; ++l) at[l] -= r[l] * value;
+        for (int b = 0; b < border; ++b) beyond[b] -= r[width + b] * value;
+    }
+    for (int j = 0; j < border; ++j) {
+        const double* const r = border_row(j);
+        const double value = beyond[j] = r[j] == 0 ? 0 : beyond[j] / r[j];
+        for (int l = j + 1; l < border; ++l) beyond[l] -= r[l] * value;
+    }
+}
+
 std::vector<double> BandedQr::inverse_band(int reach) const {
     const int width = shape_.width, n = shape_.columns;
     std::vector<double> z(static_cast<std::size_t>(n * reach), 0.0);

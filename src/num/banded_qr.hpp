@@ -59,6 +59,8 @@ public:
     void solve(int side, std::span<double> out) const;
     /// The same for a right-hand side of the triangle itself: R out = z.
     void solve_for(std::span<const double> z, std::span<double> out) const;
+    /// R^-T a, in place.
+    void solve_transposed(std::span<double> a) const;
 
     /// The entries of (R^T R)^-1 up to `reach` columns right of the diagonal and itself, row after
     /// row; `reach` at least the band's width. No border. Rows with a zero pivot are 0.

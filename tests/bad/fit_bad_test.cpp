@@ -223,6 +223,26 @@ TEST(FitCurveRefuses, WhatMakesNoSenseForACurve) {
     EXPECT_EQ(code(Points({0, 0, 1, 1}, 2), {}), "fit.too-few samples");
 }
 
+TEST(FitCurveRefuses, EndsThatThereAreNot) {
+    const Points points({0, 0, 1, 1, 2, 0, 3, 1, 4, 0, 5, 1}, 2);
+    const auto code = [&](const FitOptions& options) {
+        return testing::code_and_place_of([&] { fit_curve(points, {}, options); });
+    };
+    FitOptions options;
+    options.fix_ends = options.closed = true;
+    EXPECT_EQ(code(options), "fit.options closed");
+    for (const std::vector<double>& bad :
+         {std::vector<double>{0, 0}, {1, 0, 0}, {1}, {nan, 1}, {inf, 1}}) {
+        options = {};
+        options.end_tangent = bad;
+        EXPECT_EQ(code(options), "fit.tangent end_tangent");
+    }
+    options = {};
+    options.start_tangent = {1, 0};
+    EXPECT_EQ(testing::code_and_place_of([&] { fit(good().view(), options); }),
+              "fit.options fix_ends, start_tangent, end_tangent");
+}
+
 TEST(FitRefuses, ResultsBeyondADouble) {
     FitTable table = good();
     for (double& y : table.y) y *= 1e306;

@@ -25,13 +25,15 @@ struct CurveFit {
 /// after; those to be moved then move on in turn with the parameters. Errors: `sigma` (one a point;
 /// inf: no weight), options.sigma, or estimated from differences of neighbours. options.robust takes
 /// distances |P_i - C(t_i)| for residuals; a point that is rejected counts in no chord length.
+/// options.fix_ends holds the first and the last point, start_tangent and end_tangent the directions
+/// there: the curve of the least delta2 among those that do; what the ends hold is no parameter.
 /// In the report every coordinate counts as a sample and every coefficient of a coordinate as a
 /// parameter; there is no band, and coefficients stand coordinate after coordinate.
 ///
 /// Accuracy: a local minimum; t_i to 1e-3 of the gain of the last correction.
 /// Cost: (corrections + 2) fits; `free` knots that of a search for each number of them.
-/// Throws: `points.dimension` for other than 2 or 3 coordinates, `points.all-equal`, `fit.options`
-/// for degree 0 and what makes no sense for a curve, and what `fit` throws.
+/// Throws: `points.dimension` for other than 2 or 3 coordinates, `points.all-equal`, `fit.tangent`,
+/// `fit.options` for degree 0 and what makes no sense for a curve, and what `fit` throws.
 /// Source: parameter correction [Hoschek1988].
 CurveFit fit_curve(PointsView points, std::span<const double> sigma, const FitOptions& options);
 

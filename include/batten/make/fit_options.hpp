@@ -81,6 +81,8 @@ struct FitOptions {
     Direction monotone = Direction::free;
     Direction convex = Direction::free;
     std::optional<double> start_value, start_slope, end_value, end_slope;
+    bool fix_ends = false;
+    std::vector<double> start_tangent, end_tangent;
     int suggest = 0;
     int corrections = 10;
     Progress progress;  ///< told at every refit; may stop the work, which throws `Cancelled`
@@ -114,6 +116,11 @@ void visit_fields(Options& o, Visit&& visit) {
     visit("start_slope", o.start_slope, anything, "the derivative there");
     visit("end_value", o.end_value, anything, "the value at the last abscissa, exactly");
     visit("end_slope", o.end_slope, anything, "the derivative there");
+    visit("fix_ends", o.fix_ends, anything,
+          "parametric curves: through the first and the last point, exactly");
+    visit("start_tangent", o.start_tangent, anything,
+          "parametric curves: the direction at the start, of any length: DX,DY[,DZ]");
+    visit("end_tangent", o.end_tangent, anything, "the direction at the end");
     visit("suggest", o.suggest, between(0, 1000),
           "so many abscissae where a further measurement narrows the mean band most");
     visit("corrections", o.corrections, between(0, 1000),

@@ -71,19 +71,7 @@ std::vector<double> CoefficientLaw::spread(const Functions& f) const {
 }
 
 std::vector<double> CoefficientLaw::forward(std::vector<double> a) const {
-    const num::BandedQr& qr = qr_;
-    const int width = qr.shape().width, columns = qr.shape().columns, border = qr.shape().border;
-    for (int j = 0; j < columns; ++j) {
-        const double* const r = qr.row(j);
-        const double value = a[j] = r[0] == 0 ? 0 : a[j] / r[0];
-        for (int l = 1; l < width && j + l < columns; ++l) a[j + l] -= r[l] * value;
-        for (int b = 0; b < border; ++b) a[columns + b] -= r[width + b] * value;
-    }
-    for (int j = 0; j < border; ++j) {
-        const double* const r = qr.border_row(j);
-        const double value = a[columns + j] = r[j] == 0 ? 0 : a[columns + j] / r[j];
-        for (int l = j + 1; l < border; ++l) a[columns + l] -= r[l] * value;
-    }
+    qr_.solve_transposed(a);
     return known_.empty() ? a : without_known(std::move(a));
 }
 

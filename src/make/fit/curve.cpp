@@ -30,7 +30,7 @@ void require_curve_options(const FitOptions& o) {
     const bool has_direction = o.monotone != Direction::free || o.convex != Direction::free;
     refuse_unless(!has_direction, "monotone, convex", "there is no up or down: fit y(x)");
     refuse_unless(!has_limits(o), "start_value, start_slope, end_value, end_slope",
-                  "the ends are held by their points: give these a small sigma");
+                  "take fix_ends, start_tangent and end_tangent");
     refuse_unless(o.suggest == 0, "suggest", "there is no band to narrow: fit y(x)");
     refuse_unless(o.degree > 0, "degree", "there are no jumps: take degree 1 or more");
 }
@@ -87,6 +87,12 @@ FitReport report_of(CurveSearch& search) {
                                format_number(step.bic) + " here");
     }
     if (report.status == Status::met && !search.choice().is_met) report.status = Status::not_met;
+    if (!search.keeps_ends() && report.undetermined.empty()) {
+        report.notes.push_back(
+            "ends: the curve does not keep them: too few coefficients, or a tangent against the "
+            "way the points go");
+        if (report.status == Status::met) report.status = Status::not_met;
+    }
     if (report.status == Status::met && !search.choice().is_converged) {
         report.status = Status::not_converged;
     }

@@ -5,6 +5,7 @@
 
 #include "make/fit/free_choice.hpp"
 #include "make/fit/pruned_choice.hpp"
+#include "make/fit/tolerance_choice.hpp"
 
 namespace batten::fitting {
 namespace {
@@ -19,7 +20,10 @@ bool has_dropped(const std::vector<double>& factors) {
 
 CurveSearch::CurveSearch(PointsView points, std::span<const double> sigma,
                          const FitOptions& options)
-    : options_(options), problem_(points, sigma, options), basis_(options.degree + 1) {}
+    : options_(options),
+      problem_(points, sigma, options),
+      ends_(curve_ends(points, options)),
+      basis_(options.degree + 1) {}
 
 void CurveSearch::run() {
     if (options_.tolerance) return run_within_tolerance();
@@ -71,13 +75,13 @@ void CurveSearch::choose(const FitOptions& options) {
 /// Knots for the parameters, parameters for the knots, as long as fewer will do. No correction comes
 /// last: it would lower the sum of squares and might raise the largest distance.
 void CurveSearch::run_within_tolerance() {
-    choice_ = choose_knots(problem_.samples(), basis_, options_);
+    choice_ = knots_within_tolerance();
     here_ = weighted_fit(choice_.knots, {});
     for (int round = 0; round < options_.corrections; ++round) {
         const WeightedFit before = *here_;
         std::vector<double> t = problem_.parameters();
         correct();
-        KnotChoice next = choose_knots(problem_.samples(), basis_, options_);
+        KnotChoice next = knots_within_tolerance();
         const bool is_better = next.is_met && (!choice_.is_met ||
                                                next.knots.size() < before.fixed.knots.size());
         if (!is_better) {
@@ -90,6 +94,13 @@ void CurveSearch::run_within_tolerance() {
     }
 }
 
+KnotChoice CurveSearch::knots_within_tolerance() const {
+    const Samples samples = problem_.samples();
+    require_enough(samples.size(), static_cast<std::size_t>(basis_.order()));
+    return knots_within(samples, basis_, options_,
+                        [this](FixedFit& fixed) { return hold_ends(fixed, ends_); });
+}
+
 std::vector<SplineFunction> CurveSearch::curve() const {
     return splines_of(here_->fixed, problem_.samples().sides.size());
 }
@@ -99,27 +110,29 @@ Samples CurveSearch::used() const {
                                   : reweighted(problem_.samples(), here_->factors);
 }
 
-FixedFit CurveSearch::solved(const Samples& samples, std::vector<double> knots,
-                             const std::vector<double>& factors) const {
+WeightedFit CurveSearch::solved(const Samples& samples, const std::vector<double>& knots,
+                                std::vector<double> factors) const {
     const Ends ends = ends_of(options_);
-    return factors.empty()
-               ? solve_fixed(samples, std::move(knots), basis_, ends)
-               : solve_fixed(reweighted(samples, factors), std::move(knots), basis_, ends);
+    WeightedFit fit{factors.empty()
+                        ? solve_fixed(samples, knots, basis_, ends)
+                        : solve_fixed(reweighted(samples, factors), knots, basis_, ends),
+                    std::move(factors)};
+    fit.keeps_ends = hold_ends(fit.fixed, ends_);
+    return fit;
 }
 
 WeightedFit CurveSearch::weighted_fit(const std::vector<double>& knots,
                                       std::vector<double> factors) const {
     const Samples samples = problem_.samples();
     const std::size_t dim = samples.sides.size();
-    WeightedFit fit{solved(samples, knots, factors), std::move(factors), 0};
+    WeightedFit fit = solved(samples, knots, std::move(factors));
     for (int round = 0; round < most_reweightings && options_.robust != Robust::none; ++round) {
         std::vector<double> next = robust_factors(
             options_.robust, samples, residuals_of(samples, splines_of(fit.fixed, dim)));
         if (next == fit.factors) break;
-        FixedFit fixed = solved(samples, knots, next);
-        if (!fixed.undetermined.empty()) break;
-        fit.fixed = std::move(fixed);
-        fit.factors = std::move(next);
+        WeightedFit again = solved(samples, knots, std::move(next));
+        if (!again.fixed.undetermined.empty()) break;
+        fit = std::move(again);
     }
     const std::vector<SplineFunction> curve = splines_of(fit.fixed, dim);
     fit.misfit = options_.robust == Robust::none

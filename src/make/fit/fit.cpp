@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "batten/base/error.hpp"
+#include "make/fit/curve_ends.hpp"
 #include "make/fit/finish.hpp"
 #include "make/fit/held.hpp"
 #include "make/fit/isolated.hpp"
@@ -194,6 +196,10 @@ FitReport report_of(Solved& solved, const SplineFunction& spline) {
 
 Fit fit(const FitSamples& given, const FitOptions& options) {
     require_options(options);
+    if (has_curve_ends(options)) {
+        throw Error("fit.options", "fix_ends, start_tangent, end_tangent", "given",
+                    "are for parametric curves: take start_value, start_slope and their like");
+    }
     const LocalBasis basis(options.degree + 1);
     std::optional<Solved> early = solved_looking(given, basis, options);
     Solved all = early ? std::move(*early) : solved(given, basis, options);

@@ -132,7 +132,7 @@ std::optional<FixedFit> solve_looking(const Samples& samples, std::vector<double
 SplineFunction spline_of(const FixedFit& fixed, int side) {
     const std::span<const double> c = fixed.system.coefficients(side);
     std::vector<double> values(c.begin(), c.end());
-    if (!fixed.limited.empty()) values = fixed.limited;
+    if (!fixed.limited.empty()) values = fixed.limited[static_cast<std::size_t>(side)];
     for (std::size_t j = 0; j < values.size(); ++j) {
         if (std::isfinite(values[j])) continue;
         throw Error("number.overflow", "coefficient " + std::to_string(j),

@@ -21,7 +21,7 @@ struct FixedFit {
     int functions = 0;
     int rank = 0;
     std::vector<int> undetermined;
-    std::vector<double> limited;             ///< the coefficients, where limits moved them
+    std::vector<std::vector<double>> limited;  ///< each side's coefficients, where limits moved them
     std::vector<std::vector<double>> held;   ///< linear forms of the coefficients that limits hold
     int fixed_count = 0;                     ///< the first of these, fixed whatever the data
 };

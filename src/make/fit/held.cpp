@@ -38,7 +38,7 @@ void hold_smooth(FixedFit& fixed, std::span<const HeldDerivative> held) {
     if (held.empty() || !fixed.undetermined.empty()) return;
     for (const HeldDerivative& h : held) fixed.held.push_back(jump_form(fixed, h));
     fixed.fixed_count += static_cast<int>(held.size());
-    fixed.limited = CoefficientLaw(spline_of(fixed), fixed.system, fixed.held).coefficients();
+    fixed.limited = {CoefficientLaw(spline_of(fixed), fixed.system, fixed.held).coefficients()};
 }
 
 }  // namespace batten::fitting

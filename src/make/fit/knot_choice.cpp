@@ -244,7 +244,9 @@ KnotChoice choose_knots(const Samples& samples, const LocalBasis& basis,
                         const FitOptions& options) {
     if (options.tolerance) {
         require_enough(samples.size(), static_cast<std::size_t>(basis.order()));
-        return knots_within(samples, basis, options);
+        return knots_within(samples, basis, options, [&options](FixedFit& fixed) {
+            return !has_limits(options) || keep_within_limits(fixed, options);
+        });
     }
     switch (placement_of(options)) {
         case KnotPlacement::given: return given_knots(samples, options);

@@ -212,19 +212,20 @@ bool keep_within_limits(FixedFit& fixed, const FitOptions& options) {
     for (std::size_t j = 0; j < q; ++j) z[j] += nearest->point[j];
     const std::vector<double> free = back_substituted(triangle, std::move(z));
 
-    fixed.limited.resize(p);
+    std::vector<double> limited(p);
     for (std::size_t j = 0; j < p; ++j) {
         const std::ptrdiff_t f = freedom.free_of[j];
-        fixed.limited[j] = freedom.offset[j] + (f >= 0 ? free[static_cast<std::size_t>(f)] : 0);
+        limited[j] = freedom.offset[j] + (f >= 0 ? free[static_cast<std::size_t>(f)] : 0);
     }
     if (options.monotone != Direction::free && p > 1) {
         // Rounding leaves steps of an ulp; a flat stretch is to be flat.
         const double sign = forms.front().factor[1];
         for (std::size_t j = 1; j < p; ++j) {
-            double& c = fixed.limited[j];
-            if (sign * (c - fixed.limited[j - 1]) < 0) c = fixed.limited[j - 1];
+            double& c = limited[j];
+            if (sign * (c - limited[j - 1]) < 0) c = limited[j - 1];
         }
     }
+    fixed.limited = {std::move(limited)};
     const auto hold = [&](const Form& form) {
         std::vector<double> row(p, 0.0);
         for (std::size_t l = 0; l < form.at.size(); ++l) row[form.at[l]] += form.factor[l];

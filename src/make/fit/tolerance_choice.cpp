@@ -17,8 +17,9 @@ constexpr std::size_t most_moved = 40;  // knots: a descent costs their cube
 /// Fits over breaks or knots and their largest residuals, against one tolerance.
 class Sieve {
 public:
-    Sieve(const Samples& samples, const LocalBasis& basis, Ends ends, double tolerance)
-        : samples_(samples), basis_(basis), ends_(ends), tolerance_(tolerance) {}
+    Sieve(const Samples& samples, const LocalBasis& basis, Ends ends, double tolerance,
+          const Limit& limit)
+        : samples_(samples), basis_(basis), ends_(ends), tolerance_(tolerance), limit_(limit) {}
 
     /// Fits. False where the samples do not determine the spline.
     bool fit(const std::vector<double>& breaks) {
@@ -30,6 +31,7 @@ public:
                                               : open_knots(samples_.range, inner, basis_.order()),
                         basis_, ends_);
         if (!fixed.undetermined.empty()) return false;
+        is_kept_ = limit_(fixed);
         splines_ = splines_of(fixed, samples_.sides.size());
         parameters_ = fixed.functions * static_cast<int>(splines_.size());
         residuals_ = residuals_of(samples_, splines_);
@@ -42,7 +44,7 @@ public:
         }
         return true;
     }
-    bool is_within() const { return largest_ <= tolerance_; }
+    bool is_within() const { return is_kept_ && largest_ <= tolerance_; }
     double delta2() const { return delta2_; }
     int parameters() const { return parameters_; }
 
@@ -62,7 +64,7 @@ public:
             for (std::size_t r = rows.first; r < rows.last; ++r) {
                 largest = std::max(largest, std::fabs(residuals_[r]));
             }
-            if (largest <= tolerance_) continue;
+            if (is_kept_ && largest <= tolerance_) continue;
             while (rows.count() > 0 && samples_.x[rows.first] == breaks[i]) ++rows.first;
             while (rows.count() > 0 && samples_.x[rows.last - 1] == breaks[i + 1]) --rows.last;
             if (rows.count() > 0) {
@@ -101,6 +103,8 @@ private:
     const LocalBasis& basis_;
     Ends ends_;
     double tolerance_;
+    const Limit& limit_;
+    bool is_kept_ = true;
     std::vector<SplineFunction> splines_;
     std::vector<double> residuals_;
     int parameters_ = 0;
@@ -180,14 +184,14 @@ std::vector<double> moved_and_thinned(Sieve& sieve, FreeFit& fit, std::vector<do
 }  // namespace
 
 KnotChoice knots_within(const Samples& samples, const LocalBasis& basis,
-                        const FitOptions& options) {
+                        const FitOptions& options, const Limit& limit) {
     double extent = 0;
     for (const std::span<const double> side : samples.sides) {
         const auto [lo, hi] = std::minmax_element(side.begin(), side.end());
         extent = std::max(extent, *hi - *lo);
     }
     const Ends ends = ends_of(options);
-    Sieve sieve(samples, basis, ends, options.tolerance->in_units(extent));
+    Sieve sieve(samples, basis, ends, options.tolerance->in_units(extent), limit);
     std::vector<double> breaks{samples.range.lo, samples.range.hi};
     KnotChoice choice;
     choice.by_data = true;

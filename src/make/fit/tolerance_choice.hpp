@@ -1,10 +1,16 @@
 #pragma once
 
+#include <functional>
+
+#include "make/fit/fixed_fit.hpp"
 #include "make/fit/knot_choice.hpp"
 
 namespace batten::fitting {
 
-/// Few knots, with no residual above options.tolerance.
+/// Moves a solved spline to where it keeps what it must; false where it cannot.
+using Limit = std::function<bool(FixedFit&)>;
+
+/// Few knots, with no residual above options.tolerance, `limit` kept by every spline tried.
 ///
 /// Intervals with a residual above the tolerance are cut at their middle sample until there is none. Then knots are
 /// taken out, the one with the least jump of the highest derivative first, as long as all residuals
@@ -12,6 +18,6 @@ namespace batten::fitting {
 /// splines of degree 1 and more, 40 knots at most). A local minimum of the number of knots: nothing says that no
 /// other set is smaller. Cost: one pass over the samples for every knot tried.
 KnotChoice knots_within(const Samples& samples, const LocalBasis& basis,
-                        const FitOptions& options);
+                        const FitOptions& options, const Limit& limit);
 
 }  // namespace batten::fitting

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "batten/base/points.hpp"
+#include "batten/make/fit_options.hpp"
+#include "make/fit/fixed_fit.hpp"
+
+namespace batten::fitting {
+
+/// What a parametric curve must keep at its ends. Empty: free.
+struct CurveEnds {
+    std::vector<double> start_point, end_point;
+    std::vector<double> start_tangent, end_tangent;  ///< unit vectors
+};
+
+bool has_curve_ends(const FitOptions& options);
+
+/// Throws `fit.options` with closed curves, `fit.tangent` unless a tangent is finite, not 0 and of as
+/// many coordinates as the points.
+CurveEnds curve_ends(PointsView points, const FitOptions& options);
+
+/// Moves the coefficients to those of the least delta2 that keep the ends; false where there are too
+/// few to keep all. Nothing is done where the data leave coefficients open. Open splines.
+///
+/// Cost: O(coefficients) for each pair of conditions.
+bool hold_ends(FixedFit& fixed, const CurveEnds& ends);
+
+/// Whether the curve leaves and arrives along its tangents, and not against them.
+bool goes_along(std::span<const SplineFunction> curve, const CurveEnds& ends);
+
+}  // namespace batten::fitting
