@@ -84,24 +84,24 @@ void BandedQr::finish() {
     leave_rest(work_.data(), shape_.width);
 }
 
-double BandedQr::scaled_pivot(int j) const {
-    double column_sq = 0, pivot = 0;
+double BandedQr::column_sq(int j) const {
+    double sum = 0;
+    const auto add = [&](double x) { sum += x * x; };
     if (j < shape_.columns) {
-        for (int l = 0; l < shape_.width && l <= j; ++l) {
-            const double x = row(j - l)[l];
-            column_sq += x * x;
-        }
-        pivot = row(j)[0];
-    } else {
-        const int b = j - shape_.columns;
-        for (int i = 0; i < shape_.columns; ++i) {
-            const double x = row(i)[shape_.width + b];
-            column_sq += x * x;
-        }
-        for (int i = 0; i <= b; ++i) column_sq += border_row(i)[b] * border_row(i)[b];
-        pivot = border_row(b)[b];
+        for (int l = 0; l < shape_.width && l <= j; ++l) add(row(j - l)[l]);
+        return sum;
     }
-    return column_sq > 0 ? std::fabs(pivot) / std::sqrt(column_sq) : 0;
+    const int b = j - shape_.columns;
+    for (int i = 0; i < shape_.columns; ++i) add(row(i)[shape_.width + b]);
+    for (int i = 0; i <= b; ++i) add(border_row(i)[b]);
+    return sum;
+}
+
+double BandedQr::scaled_pivot(int j) const {
+    const double pivot =
+        j < shape_.columns ? row(j)[0] : border_row(j - shape_.columns)[j - shape_.columns];
+    const double column = column_sq(j);
+    return column > 0 ? std::fabs(pivot) / std::sqrt(column) : 0;
 }
 
 void BandedQr::solve(int side, std::span<double> out) const {

@@ -51,6 +51,8 @@ public:
     /// What no choice of unknowns can reach: the sides' inner products, sides x sides.
     std::span<const double> residual_products() const { return products_; }
 
+    /// |column|^2 of unknown j (band, then border).
+    double column_sq(int j) const;
     /// |diagonal| / |column| of unknown j (band, then border): near 0 where the rank is deficient.
     double scaled_pivot(int j) const;
 

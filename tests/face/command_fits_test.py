@@ -76,7 +76,7 @@ class Fits(Folder):
     def test_parametric_fits_go_near_the_points(self):
         report = self.report("fit", points("violin.csv"), "--parametric", "--closed", "--sigma",
                              "2", "-o", self.path("v.json"))
-        self.assertEqual(report["report"]["samples"], 72)
+        self.assertEqual(report["report"]["samples"], 36)
         with open(self.path("v.json"), encoding="utf-8") as stream:
             self.assertTrue(json.load(stream)["closed"])
         self.good("fit", points("violin.csv"), "--parametric", "--sigma", "2", "-o",

@@ -12,7 +12,7 @@ namespace batten {
 
 struct CurveFit {
     BSplineCurve curve;
-    std::vector<double> parameters;  ///< of the points: where the curve is nearest
+    std::vector<double> parameters;  ///< of the points: where the curve is nearest, in any order
     FitReport report;
 };
 
@@ -27,8 +27,10 @@ struct CurveFit {
 /// distances |P_i - C(t_i)| for residuals; a point that is rejected counts in no chord length.
 /// options.fix_ends holds the first and the last point, start_tangent and end_tangent the directions
 /// there: the curve of the least delta2 among those that do; what the ends hold is no parameter.
-/// In the report every coordinate counts as a sample and every coefficient of a coordinate as a
-/// parameter; there is no band, and coefficients stand coordinate after coordinate.
+/// In the report residuals are distances. Where parameters are corrected, a point counts as one
+/// sample fewer than it has coordinates, and a control point as one parameter fewer: only what lies
+/// across the curve is misfit. Without corrections every coordinate counts. There is no band, and
+/// coefficients stand coordinate after coordinate.
 ///
 /// Accuracy: a local minimum; t_i to 1e-3 of the gain of the last correction.
 /// Cost: (corrections + 2) fits; `free` knots that of a search for each number of them.

@@ -6,6 +6,7 @@
 #include "batten/base/text.hpp"
 #include "batten/make/fit_curve.hpp"
 #include "make/fit/curve_search.hpp"
+#include "make/fit/curve_tally.hpp"
 #include "make/fit/finish.hpp"
 #include "make/fit/isolated.hpp"
 #include "make/fit/knot_choice.hpp"
@@ -55,15 +56,22 @@ BSplineCurve curve_of(const FixedFit& fixed, const std::vector<SplineFunction>& 
                : BSplineCurve(BSplineBasis(fixed.knots, degree), std::move(control));
 }
 
-FitReport report_of(CurveSearch& search) {
-    const Samples used = search.used();
+/// Feet pass one another where points lie closer along the curve than they are exact.
+Samples in_order(Samples samples) {
+    if (std::is_sorted(samples.x.begin(), samples.x.end())) return samples;
+    return reweighted(samples, std::vector<double>(samples.size(), 1.0));
+}
+
+FitReport report_of(CurveSearch& search, const FitOptions& options) {
+    const Samples used = in_order(search.used());
     const std::vector<SplineFunction> curve = search.curve();
     FitReport report;
-    const ResidualTally residuals = tally_of(used, curve);
+    const ResidualTally residuals = curve_tally(used, curve);
     fill_criteria(report, search.result().fixed,
                   {residuals.delta2, used.values(),
                    used.sigma_known ? SigmaKnowledge::known : SigmaKnowledge::unknown,
-                   static_cast<int>(curve.size()), used.least_delta2});
+                   static_cast<int>(used.directions()), used.least_delta2,
+                   used.are_feet && options.fix_ends ? 2 : 0});
     report.parameters_charged += search.choice().moved;
     fill_tally(report, residuals);
     fill_spline(report, curve[0]);
@@ -171,8 +179,9 @@ std::vector<double> spread(const std::vector<double>& t, const std::vector<std::
             all[i] = t[next++];
             continue;
         }
-        const Interval room{next == 0 ? domain.lo : t[next - 1],
-                            next == rows.size() ? domain.hi : t[next]};
+        const auto [lo, hi] = std::minmax(next == 0 ? domain.lo : t[next - 1],
+                                          next == rows.size() ? domain.hi : t[next]);
+        const Interval room{lo, hi};
         all[i] = room.middle();
         for (int step = 0; step < most_steps; ++step) {
             all[i] = room.clamp(nearer(curve, points[i], all[i]));
@@ -200,13 +209,13 @@ CurveFit fit_curve(PointsView points, std::span<const double> sigma, const FitOp
     CurveSearch search(part.points, part.sigma, options);
     search.run();
     const std::vector<SplineFunction> curve = search.curve();
-    FitReport report = report_of(search);
+    FitReport report = report_of(search, options);
     for (std::size_t& row : report.rejected) row = part.rows[row];
     report.rejected.insert(report.rejected.end(), isolated.begin(), isolated.end());
     std::sort(report.rejected.begin(), report.rejected.end());
     search.problem().samples().work.finish();
     return {curve_of(search.result().fixed, curve),
-            spread(search.problem().parameters(), part.rows, points, curve), std::move(report)};
+            spread(search.problem().places().t, part.rows, points, curve), std::move(report)};
 }
 
 }  // namespace batten

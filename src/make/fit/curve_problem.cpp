@@ -25,6 +25,17 @@ std::vector<std::size_t> weighted_rows(std::span<const double> factors, std::siz
     return result;
 }
 
+double distance_sq(std::span<const SplineFunction> curve, std::span<const double> point, double t) {
+    double sum = 0;
+    for (std::size_t s = 0; s < curve.size(); ++s) {
+        const double off = curve[s](t) - point[s];
+        sum += off * off;
+    }
+    return sum;
+}
+
+double wrapped(double t, double period) { return t - period * std::floor(t / period); }
+
 }  // namespace
 
 double nearer(std::span<const SplineFunction> curve, std::span<const double> point, double t) {
@@ -40,9 +51,25 @@ double nearer(std::span<const SplineFunction> curve, std::span<const double> poi
     return t - slope / (bend > 0.5 * speed_sq ? bend : speed_sq);
 }
 
+double foot_near(std::span<const SplineFunction> curve, std::span<const double> point, double t) {
+    constexpr int most_steps = 20;
+    const Interval domain = curve[0].domain();
+    double best = t, least = distance_sq(curve, point, t);
+    for (int step = 0; step < most_steps; ++step) {
+        t = nearer(curve, point, t);
+        if (curve[0].is_closed()) t = domain.lo + wrapped(t - domain.lo, domain.length());
+        t = domain.clamp(t);
+        const double here = distance_sq(curve, point, t);
+        if (!(here < least)) break;
+        least = here;
+        best = t;
+    }
+    return best;
+}
+
 CurveProblem::CurveProblem(PointsView points, std::span<const double> sigma,
                            const FitOptions& options)
-    : ends_(ends_of(options)), t_(points.size()), work_(options.progress) {
+    : ends_(ends_of(options)), places_{std::vector<double>(points.size())}, work_(options.progress) {
     columns_.resize(static_cast<std::size_t>(points.dim()));
     for (std::size_t i = 0; i < points.size(); ++i) {
         for (std::size_t s = 0; s < columns_.size(); ++s) columns_[s].push_back(points[i][s]);
@@ -62,7 +89,8 @@ CurveProblem::CurveProblem(PointsView points, std::span<const double> sigma,
 
 Samples CurveProblem::samples() const {
     Samples result;
-    result.x = t_;
+    result.x = places_.t;
+    result.are_feet = places_.are_feet;
     for (const auto& column : columns_) result.sides.emplace_back(column);
     result.sigma = sigma_;
     result.common_sigma = common_;
@@ -83,29 +111,33 @@ Points CurveProblem::rows(std::span<const std::size_t> picked) const {
 }
 
 void CurveProblem::measure_chords(std::span<const double> factors) {
-    const std::vector<std::size_t> kept = weighted_rows(factors, t_.size());
+    const std::vector<std::size_t> kept = weighted_rows(factors, places_.t.size());
     const interpolation::Chords chords =
         interpolation::chords_with_repeats(rows(kept), ends_ == Ends::closed);
+    std::vector<double>& t = places_.t;
     double sum = 0;
     for (std::size_t r = 0; r < kept.size(); ++r) {
-        t_[kept[r]] = sum;
-        const std::size_t next = r + 1 < kept.size() ? kept[r + 1] : t_.size();
+        t[kept[r]] = sum;
+        const std::size_t next = r + 1 < kept.size() ? kept[r + 1] : t.size();
         const double chord = r < chords.lengths.size() ? chords.lengths[r] : 0;
-        for (std::size_t i = kept[r] + 1; i < next; ++i) t_[i] = sum + 0.5 * chord;
+        for (std::size_t i = kept[r] + 1; i < next; ++i) t[i] = sum + 0.5 * chord;
         sum += chord;
     }
-    for (std::size_t i = 0; i < kept.front(); ++i) t_[i] = 0;
+    for (std::size_t i = 0; i < kept.front(); ++i) t[i] = 0;
     if (!(sum > 0)) {
-        throw Error("points.all-equal", "points", std::to_string(t_.size()),
+        throw Error("points.all-equal", "points", std::to_string(t.size()),
                     "a curve needs two different points");
     }
     domain_ = {0, sum};
+    places_.are_feet = false;
 }
 
 void CurveProblem::correct(std::span<const SplineFunction> curve,
                            std::span<const double> factors) {
-    const std::vector<std::size_t> kept = weighted_rows(factors, t_.size());
-    const std::vector<double> old = t_;
+    std::vector<double>& t = places_.t;
+    const std::vector<std::size_t> kept = weighted_rows(factors, t.size());
+    const std::vector<double> old = t;
+    places_.are_feet = true;
     const bool is_open = ends_ == Ends::open;
     for (std::size_t r = 0; r < kept.size(); ++r) {
         const std::size_t i = kept[r];
@@ -113,18 +145,26 @@ void CurveProblem::correct(std::span<const SplineFunction> curve,
         if (is_open && (is_first || is_last)) continue;
         const double before = is_first ? domain_.lo : 0.5 * (old[kept[r - 1]] + old[i]);
         const double after = is_last ? domain_.hi : 0.5 * (old[i] + old[kept[r + 1]]);
-        t_[i] = std::clamp(nearer(curve, point(i), old[i]), before, after);
+        t[i] = std::clamp(nearer(curve, point(i), old[i]), before, after);
     }
     std::size_t r = 0;
-    for (std::size_t i = 0; i < t_.size(); ++i) {
+    for (std::size_t i = 0; i < t.size(); ++i) {
         if (r < kept.size() && kept[r] == i) {
             ++r;
             continue;
         }
-        const double before = r == 0 ? domain_.lo : t_[kept[r - 1]];
-        const double after = r == kept.size() ? domain_.hi : t_[kept[r]];
-        const double room = i > 0 ? std::max(before, t_[i - 1]) : before;
-        t_[i] = std::clamp(nearer(curve, point(i), old[i]), room, after);
+        const double before = r == 0 ? domain_.lo : t[kept[r - 1]];
+        const double after = r == kept.size() ? domain_.hi : t[kept[r]];
+        const double room = i > 0 ? std::max(before, t[i - 1]) : before;
+        t[i] = std::clamp(nearer(curve, point(i), old[i]), room, after);
+    }
+}
+
+void CurveProblem::settle(std::span<const SplineFunction> curve,
+                          std::span<const double> factors) {
+    if (!places_.are_feet) return;
+    for (const std::size_t i : weighted_rows(factors, places_.t.size())) {
+        places_.t[i] = foot_near(curve, point(i), places_.t[i]);
     }
 }
 
@@ -148,7 +188,7 @@ void CurveProblem::choose_sigma(std::span<const double> sigma, const FitOptions&
 double CurveProblem::noise() const {
     double sum = 0;
     for (const auto& column : columns_) {
-        const double one = noise_from_differences(t_, column);
+        const double one = noise_from_differences(places_.t, column);
         sum += one * one;
     }
     return std::sqrt(sum / static_cast<double>(columns_.size()));

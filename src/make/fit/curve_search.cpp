@@ -16,6 +16,15 @@ bool has_dropped(const std::vector<double>& factors) {
     return std::any_of(factors.begin(), factors.end(), [](double f) { return std::isinf(f); });
 }
 
+double delta2_of(const Samples& samples, std::span<const double> distances) {
+    double sum = 0;
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        const double e = distances[i] / samples.sigma_at(i);
+        sum += e * e;
+    }
+    return sum;
+}
+
 }  // namespace
 
 CurveSearch::CurveSearch(PointsView points, std::span<const double> sigma,
@@ -26,7 +35,12 @@ CurveSearch::CurveSearch(PointsView points, std::span<const double> sigma,
       basis_(options.degree + 1) {}
 
 void CurveSearch::run() {
-    if (options_.tolerance) return run_within_tolerance();
+    if (options_.tolerance) run_within_tolerance();
+    else run_by_criterion();
+    if (here_->fixed.undetermined.empty()) problem_.settle(curve(), here_->factors);
+}
+
+void CurveSearch::run_by_criterion() {
     // Free knots take long to find: parameters are corrected over inserted ones first.
     FitOptions first = options_;
     const bool is_free = options_.knots == KnotPlacement::free;
@@ -50,7 +64,7 @@ void CurveSearch::run() {
 void CurveSearch::move_on() {
     for (int round = 0; round < options_.corrections; ++round) {
         const WeightedFit before = *here_;
-        std::vector<double> t = problem_.parameters();
+        Places places = problem_.places();
         WeightedFit next = weighted_fit(
             moved_on(used(), basis_, here_->fixed.knots, options_), here_->factors);
         if (!next.fixed.undetermined.empty()) break;
@@ -58,7 +72,7 @@ void CurveSearch::move_on() {
         correct();
         if (!(here_->misfit < before.misfit)) {
             here_ = before;
-            problem_.restore(std::move(t));
+            problem_.restore(std::move(places));
             break;
         }
         if (before.misfit - here_->misfit <= misfit_gain_enough * before.misfit) break;
@@ -79,14 +93,14 @@ void CurveSearch::run_within_tolerance() {
     here_ = weighted_fit(choice_.knots, {});
     for (int round = 0; round < options_.corrections; ++round) {
         const WeightedFit before = *here_;
-        std::vector<double> t = problem_.parameters();
+        Places places = problem_.places();
         correct();
         KnotChoice next = knots_within_tolerance();
         const bool is_better = next.is_met && (!choice_.is_met ||
                                                next.knots.size() < before.fixed.knots.size());
         if (!is_better) {
             here_ = before;
-            problem_.restore(std::move(t));
+            problem_.restore(std::move(places));
             return;
         }
         choice_ = std::move(next);
@@ -136,7 +150,7 @@ WeightedFit CurveSearch::weighted_fit(const std::vector<double>& knots,
     }
     const std::vector<SplineFunction> curve = splines_of(fit.fixed, dim);
     fit.misfit = options_.robust == Robust::none
-                     ? tally_of(samples, curve).delta2
+                     ? delta2_of(samples, residuals_of(samples, curve))
                      : robust_loss(options_.robust, samples, residuals_of(samples, curve));
     return fit;
 }
@@ -145,7 +159,7 @@ WeightedFit CurveSearch::weighted_fit(const std::vector<double>& knots,
 void CurveSearch::correct() {
     for (int round = 0; round < options_.corrections && here_->fixed.undetermined.empty();
          ++round) {
-        std::vector<double> before = problem_.parameters();
+        Places before = problem_.places();
         problem_.correct(curve(), here_->factors);
         problem_.samples().work.step();
         WeightedFit next = weighted_fit(here_->fixed.knots, here_->factors);
@@ -157,21 +171,6 @@ void CurveSearch::correct() {
         here_ = std::move(next);
         if (is_enough) break;
     }
-}
-
-ResidualTally tally_of(const Samples& samples, std::span<const SplineFunction> curve) {
-    ResidualTally all;
-    for (std::size_t s = 0; s < curve.size(); ++s) {
-        const ResidualTally one = tally(samples, curve[s], static_cast<int>(s));
-        all.delta2 += one.delta2;
-        for (std::size_t w = 0; w < all.psi.size(); ++w) {
-            all.psi[w] += one.psi[w] / static_cast<double>(curve.size());
-        }
-        all.max_residual = std::max(all.max_residual, one.max_residual);
-        all.runs += one.runs;
-        all.positive += one.positive;
-    }
-    return all;
 }
 
 }  // namespace batten::fitting

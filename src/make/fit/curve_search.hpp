@@ -37,6 +37,7 @@ public:
 
 private:
     void choose(const FitOptions& options);
+    void run_by_criterion();
     void run_within_tolerance();
     void correct();
     void move_on();
@@ -52,8 +53,5 @@ private:
     KnotChoice choice_;
     std::optional<WeightedFit> here_;
 };
-
-/// Over all coordinates: sums, and means of the shares.
-ResidualTally tally_of(const Samples& samples, std::span<const SplineFunction> curve);
 
 }  // namespace batten::fitting

@@ -19,7 +19,7 @@ void fill_criteria(FitReport& report, const FixedFit& fixed, const Misfit& misfi
         throw Error("number.overflow", "delta2", format_number(misfit.delta2),
                     "is beyond the range of a double");
     }
-    const int parameters = misfit.sides * fixed.functions - fixed.fixed_count;
+    const int parameters = misfit.directions * fixed.functions - fixed.fixed_count + misfit.along;
     static_cast<FitCriteria&>(report) = fit_criteria(std::max(misfit.delta2, misfit.least),
                                                      misfit.samples, parameters, misfit.knowledge);
     report.parameters = report.parameters_charged = parameters;

@@ -13,8 +13,9 @@ struct Misfit {
     double delta2 = 0;
     std::size_t samples = 0;
     SigmaKnowledge knowledge = SigmaKnowledge::known;
-    int sides = 1;  ///< coordinates, each with its own coefficients
+    int directions = 1;  ///< in which a coefficient counts as a parameter, see Samples
     double least = 0;  ///< less than this is rounding, and no better
+    int along = 0;     ///< conditions held along the curve, where nothing counts
 };
 void fill_criteria(FitReport& report, const FixedFit& fixed, const Misfit& misfit);
 

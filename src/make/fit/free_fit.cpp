@@ -9,7 +9,9 @@ namespace batten::fitting {
 namespace {
 
 /// Scaled pivots of a closed spline's triangle below are taken as rank deficiency.
-constexpr double least_free_pivot = 1e-10;
+constexpr double least_free_pivot = 1e-6;
+/// Of the largest column: a function that is smaller at all samples is known from its tail alone.
+constexpr double least_column = 1e-2;
 
 }  // namespace
 
@@ -67,7 +69,7 @@ int FreeFit::functions_of(const KnotSet& set) const {
 }
 
 int FreeFit::parameters_of(const KnotSet& set) const {
-    return functions_of(set) * static_cast<int>(sides());
+    return functions_of(set) * static_cast<int>(samples_.directions());
 }
 
 bool FreeFit::set_knots(const KnotSet& set) {
@@ -105,11 +107,14 @@ bool FreeFit::set_knots(const KnotSet& set) {
 }
 
 bool FreeFit::is_determined(int functions) {
-    if (ends_ == Ends::open) return true;
+    if (ends_ == Ends::open && sides() == 1) return true;
+    double largest = 0, least = std::numeric_limits<double>::infinity();
     for (int j = 0; j < functions; ++j) {
         if (!(system_.qr().scaled_pivot(j) > least_free_pivot)) return false;
+        largest = std::max(largest, system_.qr().column_sq(j));
+        least = std::min(least, system_.qr().column_sq(j));
     }
-    return true;
+    return least > least_column * least_column * largest;
 }
 
 double FreeFit::value(const KnotSet& set) {

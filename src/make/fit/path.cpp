@@ -65,7 +65,7 @@ public:
 
 private:
     int parameters() const {
-        return growth_.functions() * static_cast<int>(samples_.sides.size());
+        return growth_.functions() * static_cast<int>(samples_.directions());
     }
 
     bool wants_more(const FitStep& step) {

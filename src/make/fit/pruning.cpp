@@ -102,7 +102,7 @@ bool Pruning::grow(std::span<const double> places, const Pruning& other) {
 double Pruning::unit() const { return std::log(static_cast<double>(samples_->values())); }
 
 double Pruning::charge_of(const BrokenSites& sites) const {
-    const double knot_charge = static_cast<double>(samples_->sides.size()) + knot_place;
+    const double knot_charge = static_cast<double>(samples_->directions()) + knot_place;
     double sum = 0;
     for (const BrokenSite& site : sites) {
         sum += knot_charge * site.times + corner_charge * site.corner + jump_charge * site.jump;

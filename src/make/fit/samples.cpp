@@ -257,6 +257,7 @@ Samples reweighted(const Samples& samples, std::span<const double> factor) {
     result.sigma_known = samples.sigma_known;
     result.common_sigma = samples.common_sigma;
     result.source = samples.source;
+    result.are_feet = samples.are_feet;
     result.least_delta2 = samples.least_delta2;
     result.work = samples.work;
     result.range = samples.range;

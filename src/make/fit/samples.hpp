@@ -30,6 +30,7 @@ struct Samples {
     std::span<const double> sigma;               ///< empty where all are `common_sigma`
     double common_sigma = 1;
     bool sigma_known = false;
+    bool are_feet = false;
     bool has_weightless = false;                 ///< among the samples as they were given
     SigmaSource source = SigmaSource::estimated;
     double least_delta2 = 0;         ///< what rounding leaves; 0 where sigma is known
@@ -39,8 +40,11 @@ struct Samples {
     std::vector<std::vector<double>> owned;
 
     std::size_t size() const { return x.size(); }
-    /// Ordinates in all: what counts as N.
-    std::size_t values() const { return x.size() * sides.size(); }
+    /// The sides in which a sample, and a coefficient, counts: across the curve alone where the
+    /// abscissae are feet of the samples.
+    std::size_t directions() const { return sides.size() - (are_feet ? 1 : 0); }
+    /// What counts as N.
+    std::size_t values() const { return x.size() * directions(); }
     double sigma_at(std::size_t i) const { return sigma.empty() ? common_sigma : sigma[i]; }
     std::size_t row(std::size_t i) const { return row_of.empty() ? i : row_of[i]; }
 

@@ -33,7 +33,7 @@ public:
         if (!fixed.undetermined.empty()) return false;
         is_kept_ = limit_(fixed);
         splines_ = splines_of(fixed, samples_.sides.size());
-        parameters_ = fixed.functions * static_cast<int>(splines_.size());
+        parameters_ = fixed.functions * static_cast<int>(samples_.directions());
         residuals_ = residuals_of(samples_, splines_);
         delta2_ = 0;
         largest_ = 0;
