@@ -63,5 +63,19 @@ TEST(FreeKnots, FromPartWayNeedFewerKnotsThanInsertion) {
     EXPECT_GT(result.report.parameters_charged, result.report.parameters);
 }
 
+TEST(FitToATolerance, TakesNoMoreCoefficientsThanFreeKnotsNeed) {
+    SKIP_UNLESS_SHARED("data/titanium.csv");
+    const auto table = fit_table("titanium");
+    for (const int intervals : {4, 6}) {
+        const FitReport freely = free_fit(table, intervals).report;
+        FitOptions options;
+        options.tolerance = absolute(*freely.max_residual * (1 + 1e-12));
+        const FitReport report = fit(table.view(), options).report;
+        EXPECT_EQ(report.status, Status::met);
+        EXPECT_LE(report.parameters, freely.parameters) << intervals;
+        EXPECT_LE(*report.max_residual, options.tolerance->value);
+    }
+}
+
 }  // namespace fit_free_test
 }  // namespace batten

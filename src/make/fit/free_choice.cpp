@@ -110,15 +110,19 @@ private:
     bool is_capped_ = false;
 };
 
+/// The best set of one knot more; false where no knot can be put in.
+bool grow(FreeFit& fit, Descent& here) {
+    const int before = here.set.count();
+    Descent next = with_one_more(fit, here.set, refined);
+    if (next.set.count() == before) return false;
+    next = newton_descent(fit, next.set, levenberg_steps);
+    here = exchange(fit, std::move(next));
+    return true;
+}
+
 KnotChoice grown(FreeFit& fit, FreeSearch& search) {
     Descent here{KnotSet{}, fit.value(KnotSet{}), 0, true};
-    while (search.wants_more(here, true)) {
-        const int before = here.set.count();
-        Descent next = with_one_more(fit, here.set, refined);
-        if (next.set.count() == before) break;
-        next = newton_descent(fit, next.set, levenberg_steps);
-        here = exchange(fit, std::move(next));
-    }
+    while (search.wants_more(here, true) && grow(fit, here)) continue;
     return search.finish();
 }
 
@@ -167,6 +171,15 @@ KnotChoice free_knots(const Samples& samples, const LocalBasis& basis, const Fit
     FreeSearch search(fit, basis, samples, plan, ends);
     return options.free_from ? moved_part_way(fit, search, *options.free_from)
                              : grown(fit, search);
+}
+
+std::optional<KnotSet> fewest_free(FreeFit& fit, int most,
+                                   const std::function<bool(const KnotSet&)>& is_accepted) {
+    Descent here{KnotSet{}, fit.value(KnotSet{}), 0, true};
+    while (!is_accepted(here.set)) {
+        if (here.set.count() >= most || !grow(fit, here)) return std::nullopt;
+    }
+    return here.set;
 }
 
 std::vector<double> moved_on(const Samples& samples, const LocalBasis& basis,

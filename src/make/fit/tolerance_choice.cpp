@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "make/fit/fixed_fit.hpp"
+#include "make/fit/free_choice.hpp"
 #include "make/fit/knot_descent.hpp"
 #include "make/fit/residuals.hpp"
 
@@ -12,6 +13,8 @@ namespace {
 
 constexpr int steps_of_a_trial = 30;
 constexpr int sites_tried = 4;  // knots whose removal is followed by a descent
+constexpr int most_grown = 16;               // knots: of so few the best sets are sought afresh
+constexpr std::size_t samples_grown = 4096;  // a search looks at them some thousand times
 constexpr std::size_t most_moved = 40;  // knots: a descent costs their cube
 
 /// Fits over breaks or knots and their largest residuals, against one tolerance.
@@ -181,6 +184,26 @@ std::vector<double> moved_and_thinned(Sieve& sieve, FreeFit& fit, std::vector<do
     return breaks;
 }
 
+/// Fewer knots than `breaks` has, grown one by one from none, each number of them moved to where
+/// delta2 is least.
+std::vector<double> grown_afresh(Sieve& sieve, FreeFit& fit, std::vector<double> breaks) {
+    const Interval domain{breaks.front(), breaks.back()};
+    const int most = static_cast<int>(breaks.size()) - 3;
+    if (most < 0 || most > most_grown) return breaks;
+    const auto breaks_of = [&](const KnotSet& set) {
+        std::vector<double> result{domain.lo};
+        for (std::size_t v = 0; v < set.size(); ++v) {
+            result.insert(result.end(), static_cast<std::size_t>(set.times[v]), set.at[v]);
+        }
+        result.push_back(domain.hi);
+        return result;
+    };
+    const std::optional<KnotSet> fewer = fewest_free(fit, most, [&](const KnotSet& set) {
+        return sieve.fit(breaks_of(set)) && sieve.is_within();
+    });
+    return fewer ? breaks_of(*fewer) : breaks;
+}
+
 }  // namespace
 
 KnotChoice knots_within(const Samples& samples, const LocalBasis& basis,
@@ -210,7 +233,10 @@ KnotChoice knots_within(const Samples& samples, const LocalBasis& basis,
         breaks = thinned(sieve, std::move(breaks));
         if (basis.order() > 1) {
             FreeFit fit(samples, basis, ends);
-            const std::vector<double> moved = moved_and_thinned(sieve, fit, breaks);
+            std::vector<double> moved = moved_and_thinned(sieve, fit, breaks);
+            if (ends == Ends::open && samples.size() <= samples_grown) {
+                moved = grown_afresh(sieve, fit, std::move(moved));
+            }
             choice.moved = moved.size() < breaks.size() ? static_cast<int>(moved.size()) - 2 : 0;
             breaks = moved;
         }
