@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "num/cubic_band.hpp"
 #include "num/householder.hpp"
 
 namespace batten::num {
@@ -84,6 +85,21 @@ void BandedQr::finish() {
     leave_rest(work_.data(), shape_.width);
 }
 
+void BandedQr::reduce(std::span<const int> firsts, std::span<const double> blocks) {
+    if (has_cubic_band() && shape_.sides == 1) {
+        products_[0] = reduce_cubic_band(firsts, blocks.data(), shape_.columns, rows_.data());
+        front_ = shape_.columns;
+        return;
+    }
+    const std::size_t size = offset(shape_.width);
+    std::vector<double> block(size);
+    for (std::size_t i = 0; i < firsts.size(); ++i) {
+        std::copy_n(blocks.data() + i * size, size, block.data());
+        absorb(firsts[i], block.data(), shape_.width);
+    }
+    finish();
+}
+
 double BandedQr::column_sq(int j) const {
     double sum = 0;
     const auto add = [&](double x) { sum += x * x; };
@@ -116,6 +132,9 @@ void BandedQr::solve(int side, std::span<double> out) const {
 
 void BandedQr::solve_for(std::span<const double> z, std::span<double> out) const {
     const int columns = shape_.columns;
+    if (has_cubic_band()) {
+        return solve_cubic_band(rows_.data(), offset(1), columns, z.data(), out.data());
+    }
     double* const border = out.data() + columns;
     for (int j = shape_.border; j-- > 0;) {
         const double* const r = border_row(j);
@@ -152,6 +171,12 @@ void BandedQr::solve_transposed(std::span<double> a) const {
 
 std::vector<double> BandedQr::inverse_band(int reach) const {
     const int width = shape_.width, n = shape_.columns;
+    if (has_cubic_band() && (reach == 4 || reach == 5)) {
+        std::vector<double> z(static_cast<std::size_t>((n + 3) * reach), 0.0);
+        inverse_of_cubic_band(rows_.data(), offset(1), n, reach, z.data());
+        z.resize(static_cast<std::size_t>(n * reach));
+        return z;
+    }
     std::vector<double> z(static_cast<std::size_t>(n * reach), 0.0);
     const auto at = [&](int i, int j) -> double& {
         return z[static_cast<std::size_t>(std::min(i, j) * reach + std::abs(i - j))];

@@ -38,6 +38,9 @@ public:
     void absorb(int first, double* rows, int count);
     /// To be called once, after the last row.
     void finish();
+    /// All rows at once, instead of absorb() and finish(): blocks of `width` rows, block i in columns
+    /// firsts[i] ... The rows are kept.
+    void reduce(std::span<const int> firsts, std::span<const double> blocks);
 
     const BandShape& shape() const { return shape_; }
     /// Row j of the triangle: width band numbers (the diagonal first), border, sides.
@@ -80,6 +83,7 @@ private:
     }
     void emit(int count);
     void leave_rest(const double* rows, int count);
+    bool has_cubic_band() const { return shape_.width == 4 && shape_.border == 0; }
 
     BandShape shape_;
     int front_ = 0;

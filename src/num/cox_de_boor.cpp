@@ -1,24 +1,21 @@
 #include "num/cox_de_boor.hpp"
 
+#include <algorithm>
 #include <cassert>
 
+#include "num/clones.hpp"
+
 namespace batten::num {
+namespace {
 
-void basis_values(std::span<const double> knots, std::size_t span, int order, double x,
-                  double* out) {
-    basis_values_at(knots, span, order, &x, 1, out);
-}
-
-void basis_values_at(std::span<const double> knots, std::size_t span, int order, const double* x,
-                     int count, double* out) {
-    assert(order <= most_order);
+/// `t`: the span's left knot. Unrolls where order and count are known beforehand.
+BATTEN_INLINE void values_at(const double* t, int order, const double* x, int count, double* out) {
     for (int i = 0; i < count; ++i) out[i] = 1;
     for (int level = 1; level < order; ++level) {
         double* const last = out + level * count;
         for (int i = 0; i < count; ++i) last[i] = 0;
         for (int j = level - 1; j >= 0; --j) {
-            const double right = knots[span + static_cast<std::size_t>(j) + 1];
-            const double left = knots[span + static_cast<std::size_t>(j + 1 - level)];
+            const double right = t[j + 1], left = t[j + 1 - level];
             const double scale = 1 / (right - left);
             double* const here = out + j * count;
             double* const next = here + count;
@@ -29,6 +26,26 @@ void basis_values_at(std::span<const double> knots, std::size_t span, int order,
             }
         }
     }
+}
+
+}  // namespace
+
+void basis_values(std::span<const double> knots, std::size_t span, int order, double x,
+                  double* out) {
+    basis_values_at(knots, span, order, &x, 1, out);
+}
+
+void basis_values_at(std::span<const double> knots, std::size_t span, int order, const double* x,
+                     int count, double* out) {
+    assert(order <= most_order);
+    const double* const t = knots.data() + span;
+    if (order != 4 || (count != 4 && count != 1)) return values_at(t, order, x, count, out);
+    // Cubic: in registers.
+    double values[16], at[4];
+    std::copy_n(x, count, at);
+    if (count == 4) values_at(t, 4, at, 4, values);
+    else values_at(t, 4, at, 1, values);
+    std::copy_n(values, 4 * count, out);
 }
 
 void basis_derivatives(std::span<const double> knots, std::size_t span, int order, double x,

@@ -118,6 +118,47 @@ TEST(FitToADelta2, KeepsNoKnotThatCouldGo) {
     }
 }
 
+TEST(FitToADelta2, EndsItsPathWithTheFitItReports) {
+    for (const std::uint64_t seed : {1, 2, 3, 4}) {
+        // Twenty times as many samples in the left half.
+        testing::FitTable table;
+        testing::Noise noise(seed);
+        for (int i = 0; i < 210; ++i) {
+            table.x.push_back(i < 200 ? i / 400.0 : 0.5 + (i - 199) / 20.0);
+            table.y.push_back(std::sin(40 / (table.x.back() + 0.5)) + 0.1 * noise.normal());
+            table.sigma.push_back(0.1);
+        }
+        FitOptions options;
+        options.delta2 = 210;
+        const FitReport report = fit(table.view(), options).report;
+        EXPECT_NEAR(report.path.back().delta2, report.delta2, 1e-9 * report.delta2) << seed;
+        FitOptions again;
+        again.knots = KnotPlacement::given;
+        again.knots_values = report.breaks;
+        EXPECT_NEAR(fit(table.view(), again).report.delta2, report.delta2, 1e-9 * report.delta2);
+    }
+}
+
+TEST(FitToADelta2, NeedsAsFewKnotsForABumpAsAreSetByHand) {
+    testing::FitTable table;
+    testing::Noise noise(3);
+    for (int i = 0; i < 10000; ++i) {
+        const double x = i / 9999.0;
+        table.x.push_back(x);
+        table.y.push_back(std::exp(-50 * (x - 0.4) * (x - 0.4)) + 0.5 * std::sin(6 * x) +
+                          0.1 * noise.normal());
+        table.sigma.push_back(0.1);
+    }
+    FitOptions by_hand;
+    by_hand.knots = KnotPlacement::given;
+    by_hand.knots_values = {0.257, 0.386, 0.505, 0.621, 0.745};
+    FitOptions options;
+    options.delta2 = fit(table.view(), by_hand).report.delta2;
+    const FitReport report = fit(table.view(), options).report;
+    EXPECT_LE(report.delta2, *options.delta2);
+    EXPECT_LE(report.breaks.size(), 2 + by_hand.knots_values.size());
+}
+
 TEST(FitOverFixedKnots, IsThatOfSortedSamplesAndLeavesOutWhatHasNoWeight) {
     testing::FitTable table = testing::noisy_curve(5000, 1.5, 8);
     FitOptions options;

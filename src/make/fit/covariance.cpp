@@ -48,16 +48,20 @@ std::size_t CoefficientLaw::unknown(int c) const {
     return static_cast<std::size_t>(j < band.border ? band.columns + j : j - band.border);
 }
 
-CoefficientLaw::Functions CoefficientLaw::functions_at(double x, int derivative) const {
+int CoefficientLaw::functions_at(double x, int derivative, double* values) const {
     const int degree = spline_.degree();
     const std::span<const double> knots = spline_.knots();
     const auto from = knots.begin() + degree + 1;
     const auto to = knots.begin() + static_cast<std::ptrdiff_t>(spline_.coefficients().size());
     const auto span = std::upper_bound(from, to, x) - knots.begin() - 1;
-    Functions result{static_cast<int>(span) - degree,
-                     std::vector<double>(static_cast<std::size_t>(degree) + 1, 0.0)};
     num::basis_derivatives(knots, static_cast<std::size_t>(span), degree + 1, x, derivative,
-                           result.values.data());
+                           values);
+    return static_cast<int>(span) - degree;
+}
+
+CoefficientLaw::Functions CoefficientLaw::functions_at(double x, int derivative) const {
+    Functions result{0, std::vector<double>(static_cast<std::size_t>(spline_.degree()) + 1)};
+    result.first = functions_at(x, derivative, result.values.data());
     return result;
 }
 
@@ -94,18 +98,19 @@ std::vector<double> CoefficientLaw::coefficients() const {
 }
 
 double CoefficientLaw::variance(double x, int derivative) const {
-    const Functions f = functions_at(x, derivative);
     double sum = 0;
     if (band_.empty()) {
-        for (const double y : forward(spread(f))) sum += y * y;
+        for (const double y : forward(spread(functions_at(x, derivative)))) sum += y * y;
         return sum;
     }
+    double values[num::most_order];
+    const int first = functions_at(x, derivative, values);
     const int order = spline_.degree() + 1;
     const int width = qr_.shape().width;
     for (int i = 0; i < order; ++i) {
-        const double* const row = band_.data() + (f.first + i) * width;
-        sum += f.values[i] * f.values[i] * row[0];
-        for (int j = i + 1; j < order; ++j) sum += 2 * f.values[i] * f.values[j] * row[j - i];
+        const double* const row = band_.data() + (first + i) * width;
+        sum += values[i] * values[i] * row[0];
+        for (int j = i + 1; j < order; ++j) sum += 2 * values[i] * values[j] * row[j - i];
     }
     return std::max(sum, 0.0);
 }

@@ -52,6 +52,7 @@ public:
     double integral_variance(Interval part) const;
 
 private:
+    int functions_at(double x, int derivative, double* values) const;
     void find_band();
     std::vector<double> without_known(std::vector<double> v) const;
 

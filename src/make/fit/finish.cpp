@@ -62,12 +62,19 @@ void note_what_sigma_hides(FitReport& report) {
 void fill_band(FitReport& report, const SplineFunction& spline, const FitCovariance& covariance) {
     const Interval domain = spline.domain();
     const double factor = covariance.factor_95();
-    for (int i = 0; i < band_points; ++i) {
-        const double x = domain.clamp(domain.lo + domain.length() * (i / (band_points - 1.0)));
-        const double half = factor * covariance.deviation(x);
-        report.covariance_band.x.push_back(x);
-        report.covariance_band.lower.push_back(spline(x) - half);
-        report.covariance_band.upper.push_back(spline(x) + half);
+    auto& band = report.covariance_band;
+    band.x.resize(band_points);
+    band.lower.resize(band_points);
+    for (std::size_t i = 0; i < band_points; ++i) {
+        const double share = static_cast<double>(i) / (band_points - 1);
+        band.x[i] = domain.clamp(domain.lo + domain.length() * share);
+    }
+    spline.evaluate(band.x, 0, band.lower);
+    band.upper = band.lower;
+    for (std::size_t i = 0; i < band_points; ++i) {
+        const double half = factor * covariance.deviation(band.x[i]);
+        band.lower[i] -= half;
+        band.upper[i] += half;
     }
 }
 

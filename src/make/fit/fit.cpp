@@ -36,10 +36,13 @@ bool limit(FixedFit& fixed, const FitOptions& options,
            (fixed.undetermined.empty() && keep_within_limits(fixed, options));
 }
 
-FinalFit final_fit(const Samples& samples, const LocalBasis& basis, const KnotChoice& choice,
+FinalFit final_fit(const Samples& samples, const LocalBasis& basis, KnotChoice& choice,
                    const FitOptions& options) {
     const Ends ends = ends_of(options);
-    FinalFit result{nullptr, solve_fixed(samples, choice.knots, basis, ends), {}};
+    const bool is_solved = choice.solved && options.robust == Robust::none;
+    FinalFit result{nullptr,
+                    is_solved ? *std::move(choice.solved)
+                              : solve_fixed(samples, choice.knots, basis, ends), {}};
     result.is_within = limit(result.fixed, options, choice.held);
     if (options.robust == Robust::none) return result;
     std::vector<double> before;

@@ -24,22 +24,43 @@ public:
     /// Starts from these breaks instead of one interval.
     void restart(std::span<const double> breaks);
 
-    int intervals() const { return static_cast<int>(pieces_.size()); }
+    /// One interval.
+    struct Piece {
+        Interval span;
+        Rows rows;
+        int node = -1;  ///< of the tree, if it is one
+        PlaceCounts places = {};
+    };
+    /// All that depends on the knots.
+    struct State {
+        KnotSystem system;
+        std::vector<Piece> pieces = {};
+        std::vector<double> triangles = {}, maps = {}, blocks = {}, knots = {}, part_sums = {};
+        std::vector<char> is_stale = {};  ///< pieces whose blocks are older than their knots
+        std::vector<int> firsts = {};
+        double delta2 = 0;
+        bool is_solved = false;
+    };
+    /// What there is, to come back to it without a look at the samples.
+    const State& state() const { return now_; }
+    void restore(const State& state) { now_ = state; }
+
+    int intervals() const { return static_cast<int>(now_.pieces.size()); }
     int functions() const;
-    Ends ends() const { return system_.ends(); }
+    Ends ends() const { return now_.system.ends(); }
     const Samples& samples() const { return *samples_; }
     std::vector<double> breaks() const;
     /// The full knot vector of the last refit.
-    const std::vector<double>& knots() const { return knots_; }
+    const std::vector<double>& knots() const { return now_.knots; }
 
-    /// Solves for the present knots.
+    /// Solves for the present knots, unless that is done.
     void refit();
-    double delta2() const { return delta2_; }
-    const KnotSystem& system() const { return system_; }
+    double delta2() const { return now_.delta2; }
+    const KnotSystem& system() const { return now_.system; }
     /// Weighted squared residuals of interval i.
-    double part_sum(int i) const { return part_sums_[static_cast<std::size_t>(i)]; }
+    double part_sum(int i) const { return now_.part_sums[static_cast<std::size_t>(i)]; }
     /// Samples in interval i.
-    std::size_t rows(int i) const { return pieces_[static_cast<std::size_t>(i)].rows.count(); }
+    std::size_t rows(int i) const { return now_.pieces[static_cast<std::size_t>(i)].rows.count(); }
     /// True residuals e = y - S of all samples, in data units, side 0, in rising x.
     void residuals(std::span<double> out) const;
 
@@ -48,6 +69,8 @@ public:
     std::vector<int> worst(int most) const;
     /// Whether both halves would still determine the spline.
     bool can_split(int i) const;
+    /// Whether the samples determine the spline. Open splines.
+    bool is_determined() const;
     /// Whether the samples would determine a spline over these breaks.
     bool can_take(std::span<const double> breaks) const;
     /// Puts a knot in the middle of interval i; refit() is to follow. Returns the knot.
@@ -60,32 +83,23 @@ public:
     void join(int i);
 
 private:
-    struct Piece {
-        Interval span;
-        Rows rows;
-        int node = -1;  ///< of the tree, if it is one
-    };
     void index_knots();
     void age_blocks(std::size_t i, std::size_t count);
     void make_triangle(std::size_t i);
     void make_stale_blocks();
     std::size_t map_size() const {
-        return static_cast<std::size_t>(system_.order() * system_.order());
+        return static_cast<std::size_t>(now_.system.order() * now_.system.order());
     }
-    double* triangle(std::size_t i) { return triangles_.data() + i * reducer_->shape().size(); }
-    std::vector<Cell> cells_with(int split) const;
-    bool has_distinct(Rows rows, std::size_t count) const;
+    double* triangle(std::size_t i) {
+        return now_.triangles.data() + i * reducer_->shape().size();
+    }
+    Piece piece_of(Interval span, Rows rows) const;
 
     const Samples* samples_;
     const LocalBasis* basis_;
     std::unique_ptr<Reducer> reducer_;
     std::unique_ptr<ReductionTree> tree_;
-    KnotSystem system_;
-    std::vector<Piece> pieces_;
-    std::vector<double> triangles_, maps_, blocks_, knots_, part_sums_;
-    std::vector<char> is_stale_;  ///< pieces whose blocks are older than their knots
-    std::vector<int> firsts_;
-    double delta2_ = 0;
+    State now_;
 };
 
 /// n intervals of equal length.

@@ -23,9 +23,19 @@ constexpr std::size_t most_with_psi = 20000;
     throw Error("fit.options", option, std::move(value), rule);
 }
 
+/// What the last refit solved, if it is the fit over `breaks` and determined.
+std::optional<FixedFit> last_fit(const Growth& growth, const std::vector<double>& breaks) {
+    const bool is_it = growth.ends() == Ends::open && growth.is_determined() &&
+                       growth.breaks() == breaks;
+    if (!is_it) return std::nullopt;
+    const int functions = growth.functions();
+    return FixedFit{growth.knots(), growth.system(), functions, functions, {}, {}, {}, 0};
+}
+
 KnotChoice from_path(const Growth& growth, Path path) {
     KnotChoice choice;
     const std::vector<double>& breaks = path.breaks[path.chosen];
+    choice.solved = last_fit(growth, breaks);
     const int order = growth.system().order();
     choice.knots = growth.ends() == Ends::closed
                        ? closed_knots(breaks, order)

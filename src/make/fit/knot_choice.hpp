@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct KnotChoice {
     std::vector<FitStep> path;
     std::vector<std::string> notes;
     std::vector<Alternative> alternatives;
+    std::optional<FixedFit> solved;  ///< the fit over them, where the search ended with it
     std::vector<HeldDerivative> held;  ///< smooth though the knots stand often enough to jump
     int moved = 0;             ///< knots whose places were optimised
     bool by_data = false;      ///< knots chosen by the data

@@ -3,9 +3,29 @@
 #include <algorithm>
 #include <cmath>
 
+#include "num/clones.hpp"
 #include "num/cox_de_boor.hpp"
 
 namespace batten::fitting {
+namespace {
+
+/// R B and the sides beside it. Unrolls where k and width are known beforehand.
+BATTEN_INLINE void multiply(const double* b, const double* triangle, int k, int width,
+                            double* block) {
+    for (int i = 0; i < k; ++i) {
+        double row[num::most_order];
+        for (int j = 0; j < k; ++j) row[j] = 0;
+        for (int l = i; l < k; ++l) {
+            const double r = triangle[i * width + l];
+            for (int j = 0; j < k; ++j) row[j] += r * b[l * k + j];
+        }
+        std::copy_n(row, k, block + i * width);
+        for (int s = k; s < width; ++s) block[i * width + s] = triangle[i * width + s];
+    }
+}
+
+}  // namespace
+
 
 std::vector<double> open_knots(Interval domain, std::span<const double> inside, int order) {
     std::vector<double> knots(static_cast<std::size_t>(order), domain.lo);
@@ -45,7 +65,7 @@ void KnotSystem::to_chebyshev(std::span<const double> knots, std::size_t span, I
                               double* b) const {
     const int k = shape_.order;
     double x[num::most_order];
-    double values[num::most_order * num::most_order] = {};
+    double values[num::most_order * num::most_order];
     const double half = 0.5 * part.length();
     const double middle = part.lo + half;
     for (int i = 0; i < k; ++i) x[i] = middle + half * basis_->nodes()[static_cast<std::size_t>(i)];
@@ -61,16 +81,8 @@ void KnotSystem::make_block(std::span<const double> knots, std::size_t span,
 }
 
 void KnotSystem::make_block_from(const double* b, const double* triangle, double* block) const {
-    const int k = shape_.order, width = shape_.width();
-    for (int i = 0; i < k; ++i) {
-        double* const row = block + i * width;
-        for (int j = 0; j < k; ++j) row[j] = 0;
-        for (int l = i; l < k; ++l) {
-            const double r = triangle[i * width + l];
-            for (int j = 0; j < k; ++j) row[j] += r * b[l * k + j];
-        }
-        for (int s = k; s < width; ++s) row[s] = triangle[i * width + s];
-    }
+    if (shape_.order == 4 && shape_.sides == 1) return multiply(b, triangle, 4, 5, block);
+    multiply(b, triangle, shape_.order, shape_.width(), block);
 }
 
 void KnotSystem::solve(int functions, std::span<const int> firsts,
@@ -89,15 +101,10 @@ void KnotSystem::factor(int functions, std::span<const int> firsts,
     } else {
         qr_.restart({shape_.order, columns, border, shape_.sides});
     }
+    if (ends_ == Ends::open) return qr_.reduce(firsts, blocks);
     scratch_.resize(static_cast<std::size_t>(shape_.order * qr_.shape().row_width()));
     for (std::size_t i = 0; i < firsts.size(); ++i) {
-        const double* const block = blocks.data() + i * block_size();
-        if (ends_ == Ends::closed) {
-            add_closed(firsts[i], block);
-        } else {
-            std::copy(block, block + block_size(), scratch_.begin());
-            qr_.absorb(firsts[i], scratch_.data(), shape_.order);
-        }
+        add_closed(firsts[i], blocks.data() + i * block_size());
     }
     qr_.finish();
 }

@@ -4,9 +4,28 @@
 #include <cmath>
 #include <numbers>
 
+#include "num/clones.hpp"
 #include "num/cox_de_boor.hpp"
 
 namespace batten::fitting {
+namespace {
+
+/// Unrolls where order and columns are known beforehand.
+BATTEN_INLINE void transform(const double* matrix, const double* values, int order, int columns,
+                             double* out) {
+    for (int j = 0; j < order; ++j) {
+        const double* const weights = matrix + j * order;
+        for (int c = 0; c < columns; ++c) {
+            const double* const column = values + c * order;
+            double sum = 0;
+            for (int i = 0; i < order; ++i) sum += weights[i] * column[i];
+            out[j * columns + c] = sum;
+        }
+    }
+}
+
+}  // namespace
+
 
 LocalBasis::LocalBasis(int order)
     : order_(order),
@@ -34,19 +53,12 @@ void LocalBasis::values(double u, double* out) const {
 }
 
 void LocalBasis::coefficients(const double* values, int columns, double* out) const {
-    for (int j = 0; j < order_; ++j) {
-        const double* const weights = to_coefficients_.data() + j * order_;
-        for (int c = 0; c < columns; ++c) {
-            const double* const column = values + c * order_;
-            double sum = 0;
-            for (int i = 0; i < order_; ++i) sum += weights[i] * column[i];
-            out[j * columns + c] = sum;
-        }
-    }
+    if (order_ == 4 && columns == 4) return transform(to_coefficients_.data(), values, 4, 4, out);
+    transform(to_coefficients_.data(), values, order_, columns, out);
 }
 
 void LocalBasis::restriction(double scale, double shift, double* out) const {
-    double table[num::most_order * num::most_order] = {};
+    double table[num::most_order * num::most_order];
     double at_node[num::most_order];
     for (int i = 0; i < order_; ++i) {
         values(scale * nodes_[i] + shift, at_node);

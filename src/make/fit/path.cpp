@@ -6,6 +6,7 @@
 
 #include "batten/shape/spline_function.hpp"
 #include "make/fit/residuals.hpp"
+#include "make/fit/spare_knots.hpp"
 
 namespace batten::fitting {
 namespace {
@@ -235,55 +236,6 @@ int splits_wanted(const Growth& growth, double target) {
         sum += excesses[static_cast<std::size_t>(count)];
     }
     return count;
-}
-
-enum class Spare { one, many };
-
-/// The knots to take out at once, from the right: that which is missed least, and others far from
-/// it and each other, as long as together they are missed by less than is allowed.
-std::vector<int> spare_knots(const Growth& growth, double allowed, Spare most) {
-    const std::vector<double> losses = growth.losses();
-    std::vector<int> order, taken;
-    for (int i = 1; i < growth.intervals(); ++i) {
-        if (losses[static_cast<std::size_t>(i - 1)] < allowed) order.push_back(i);
-    }
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-        return losses[static_cast<std::size_t>(a - 1)] < losses[static_cast<std::size_t>(b - 1)];
-    });
-    double sum = 0;
-    for (const int i : order) {
-        if (most == Spare::one && !taken.empty()) break;
-        const bool is_far = std::all_of(taken.begin(), taken.end(), [&](int other) {
-            return std::abs(other - i) > growth.system().order();
-        });
-        if (!is_far) continue;
-        sum += losses[static_cast<std::size_t>(i - 1)];
-        if (!(sum < allowed)) break;
-        taken.push_back(i);
-    }
-    std::sort(taken.begin(), taken.end(), std::greater<>());
-    return taken;
-}
-
-/// Takes out knots as long as a target for delta2 is kept. Whether there was one.
-bool take_out_spare(Growth& growth, double target) {
-    bool is_changed = false;
-    for (Spare most = Spare::many;;) {
-        const std::vector<int> spare = spare_knots(growth, target - growth.delta2(), most);
-        if (spare.empty()) return is_changed;
-        const std::vector<double> before = growth.breaks();
-        for (const int i : spare) growth.join(i);
-        growth.refit();
-        if (growth.delta2() <= target) {
-            is_changed = true;
-            continue;
-        }
-        // What one is missed by is exact but for rounding; of several it is nearly the sum.
-        growth.restart(before);
-        growth.refit();
-        if (most == Spare::one) return is_changed;
-        most = Spare::one;
-    }
 }
 
 }  // namespace

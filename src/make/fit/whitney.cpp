@@ -57,6 +57,35 @@ std::vector<Cell> cells_of(std::span<const double> knots, int order, const Sampl
     return cells;
 }
 
+PlaceCounts count_places(const Samples& samples, Rows rows, Interval span, int order) {
+    PlaceCounts counts;
+    Rows inside = rows;
+    while (inside.first < inside.last && samples.x[inside.first] == span.lo) ++inside.first;
+    while (inside.first < inside.last && samples.x[inside.last - 1] == span.hi) --inside.last;
+    counts.at_left = inside.first > rows.first;
+    counts.at_right = inside.last < rows.last;
+    counts.inside = distinct(samples, inside, order);
+    return counts;
+}
+
+void SimpleRank::add(const PlaceCounts& counts) {
+    const int first = intervals_++, last = first + order_ - 1;
+    // At a knot the function that ends there is zero, and at the left end all but the first.
+    const int last_at_left = first == 0 ? 0 : std::max(first, last - 1);
+    give(counts.at_left, first, last_at_left);
+    give(counts.inside, first, last);
+    give(counts.at_right, last, last);
+}
+
+/// To the leftmost functions without a datum of their own, as in rank_of.
+void SimpleRank::give(int count, int first, int last) {
+    if (count == 0) return;
+    next_ = std::max(next_, first);
+    const int given = std::clamp(last + 1 - next_, 0, count);
+    next_ += given;
+    rank_ += given;
+}
+
 int rank_of(std::span<const Cell> cells, int functions, int without) {
     // The cells' ranges rise with the cells: giving each datum the leftmost free function is best.
     int rank = 0, next = 0;

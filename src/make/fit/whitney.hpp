@@ -27,6 +27,28 @@ std::vector<Cell> cells_of(std::span<const double> knots, int order, const Sampl
 void add_cells(std::span<const double> knots, int order, std::size_t span, const Samples& samples,
                Rows rows, std::vector<Cell>& out);
 
+/// Distinct abscissae of one interval: at its left end, inside (`order` at most), at its right end
+/// (of its rows: so of the last interval only).
+struct PlaceCounts {
+    int at_left = 0;
+    int inside = 0;
+    int at_right = 0;
+};
+PlaceCounts count_places(const Samples& samples, Rows rows, Interval span, int order);
+
+/// The rank where all knots are simple, filled in interval by interval from left to right.
+class SimpleRank {
+public:
+    explicit SimpleRank(int order) : order_(order) {}
+    void add(const PlaceCounts& counts);
+    int rank() const { return rank_; }
+
+private:
+    void give(int count, int first, int last);
+
+    int order_, intervals_ = 0, rank_ = 0, next_ = 0;
+};
+
 /// Adds to the distinct abscissae known of one interval, as many as Schoenberg-Whitney can use:
 /// order inside, and both ends. They rise.
 void remember_places(std::vector<double>& places, std::span<const double> x, Interval span,
