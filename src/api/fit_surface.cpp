@@ -38,7 +38,7 @@ void visit_fields(Options& o, Visit&& visit) {
           "rows y,X1,X2,...: curved knot lines x = X(y) that are given");
     visit("stream", o.stream, anything,
           "read the file in blocks of rows, as files above 1 GiB always are: .npy or a table, knots "
-          "given, or equal with intervals");
+          "auto, given, or equal with intervals");
     visit_fields(o.fit, visit);
 }
 

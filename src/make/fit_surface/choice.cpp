@@ -40,7 +40,11 @@ public:
     LineSearch(Lattice& lattice, const Target& target) : lattice_(lattice), target_(target) {}
 
     bool step_wants_more() {
-        lattice_.refit();
+        if (!lattice_.refit()) {
+            require_a_step();
+            is_cut_off_ = true;
+            return false;
+        }
         steps_.push_back(step_of(lattice_));
         x_breaks_.push_back(lattice_.x_breaks());
         y_breaks_.push_back(lattice_.y_breaks());
@@ -66,10 +70,21 @@ public:
             choice.misfit = std::move(fit->misfit);
         }
         choice.path = std::move(steps_);
+        if (is_cut_off_) {
+            choice.notes.push_back("the search ended early: strips so narrow, or lines and errors "
+                                   "so uneven, are searched with the grid in memory only");
+        }
         return choice;
     }
 
 private:
+    void require_a_step() const {
+        if (!steps_.empty()) return;
+        throw Error("fit-surface.streamed", "knots", "auto",
+                    "lines or errors so uneven are searched with the grid in memory only: give "
+                    "knot lines");
+    }
+
     double value(std::size_t i) const { return criterion_of(steps_[i], target_.rule); }
 
     bool wants_more(const SurfaceStep& step) {
@@ -110,6 +125,7 @@ private:
     double best_ = 0;
     int best_strips_ = 2;
     bool is_met_ = true;
+    bool is_cut_off_ = false;
 };
 
 SurfaceChoice insert_lines(Lattice& lattice, const Target& target) {
