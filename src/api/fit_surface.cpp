@@ -123,7 +123,7 @@ Outcome run_scattered(std::span<const Input> inputs, const SurfaceRequest& reque
     const Rectangle domain = made.surface.domain();
     constexpr std::size_t lines = 65;
     return {Surface(made.surface), made.report.status, {}, report_value(made.report),
-            [made] { return surface_picture(Surface(made.surface), usual_levels); },
+            [made, x, y, z, sigma] { return scattered_fit_picture(made, {x, y, z, sigma}); },
             surface_forms(Surface(made.surface), even_places(domain.x, lines),
                           even_places(domain.y, lines))};
 }
