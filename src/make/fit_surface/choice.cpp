@@ -237,16 +237,18 @@ SurfaceChoice searched_lines(Lattice& lattice, const FitSurfaceOptions& options,
     return is_even ? equal_lines(lattice, target) : insert_lines(lattice, target);
 }
 
-SurfaceChoice moved_where_free(const Nodes& nodes, const FitSurfaceOptions& options,
+/// Of nodes or a cloud.
+template <class Data>
+SurfaceChoice moved_where_free(const Data& data, const FitSurfaceOptions& options,
                                SurfaceChoice choice) {
     if (options.knots != SurfaceKnots::free) return choice;
-    MovedLines moved = move_lines(nodes, std::move(choice.x_knots), std::move(choice.y_knots),
+    MovedLines moved = move_lines(data, {std::move(choice.x_knots), std::move(choice.y_knots)},
                                   options.degree);
     choice.solution.reset();
     choice.x.reset();
     choice.y.reset();
-    choice.x_knots = std::move(moved.x_knots);
-    choice.y_knots = std::move(moved.y_knots);
+    choice.x_knots = std::move(moved.knots[0]);
+    choice.y_knots = std::move(moved.knots[1]);
     choice.moved = moved.moved;
     choice.is_converged = moved.is_converged;
     return choice;
@@ -277,9 +279,6 @@ SurfaceChoice choose_lines(const Nodes& nodes, const FitSurfaceOptions& options)
 SurfaceChoice choose_lines(const Cloud& cloud, const FitSurfaceOptions& options) {
     require_surface_options(options);
     const Target target = target_of(options);
-    if (options.knots == SurfaceKnots::free) {
-        throw Error("fit.options", "knots", "free", "knot lines are moved on grids only");
-    }
     const bool needs_errors = options.stop == StopRule::distribution ||
                               options.stop == StopRule::chi2;
     if (needs_errors && !cloud.sigma_known) {
@@ -290,10 +289,10 @@ SurfaceChoice choose_lines(const Cloud& cloud, const FitSurfaceOptions& options)
         SurfaceChoice choice;
         choice.x_knots = given_knots(options.x_knots, cloud.domain.x, options.degree, "x_knots");
         choice.y_knots = given_knots(options.y_knots, cloud.domain.y, options.degree, "y_knots");
-        return choice;
+        return moved_where_free(cloud, options, std::move(choice));
     }
     Lattice lattice(cloud, options.degree, options.rule);
-    return searched_lines(lattice, options, target);
+    return moved_where_free(cloud, options, searched_lines(lattice, options, target));
 }
 
 }  // namespace batten::surface_fitting
