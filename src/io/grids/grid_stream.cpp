@@ -15,8 +15,8 @@ Error not_streamed(const std::string& source, std::string value) {
 
 Error missing_node(const std::string& place) {
     return {"grid.holes", place, "missing",
-            "a grid that is read in blocks has a height at every node: cut off or fill what is "
-            "missing, or read the grid whole on a machine whose memory holds it"};
+            "a grid that is read in blocks has a height at every node: cut off or fill those that "
+            "are missing, or take every second row and column until it is read whole"};
 }
 
 }  // namespace grids
