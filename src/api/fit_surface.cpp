@@ -38,7 +38,7 @@ void visit_fields(Options& o, Visit&& visit) {
           "rows y,X1,X2,...: curved knot lines x = X(y) that are given");
     visit("stream", o.stream, anything,
           "read the file in blocks of rows, as files above 1 GiB always are: .npy or a table, knots "
-          "given, or equal with intervals");
+          "auto, given, or equal with intervals");
     visit_fields(o.fit, visit);
 }
 
@@ -123,7 +123,7 @@ Outcome run_scattered(std::span<const Input> inputs, const SurfaceRequest& reque
     const Rectangle domain = made.surface.domain();
     constexpr std::size_t lines = 65;
     return {Surface(made.surface), made.report.status, {}, report_value(made.report),
-            [made] { return surface_picture(Surface(made.surface), usual_levels); },
+            [made, x, y, z, sigma] { return scattered_fit_picture(made, {x, y, z, sigma}); },
             surface_forms(Surface(made.surface), even_places(domain.x, lines),
                           even_places(domain.y, lines))};
 }

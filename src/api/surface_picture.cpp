@@ -112,6 +112,33 @@ Drawing surface_fit_picture(const SurfaceFit& fit, const GridFile& grid) {
     return fit_panels(fit.surface, grid, fit.report.sigma.value_or(1));
 }
 
+Drawing scattered_fit_picture(const SurfaceFit& fit, const ScatteredSamples& samples) {
+    const Surface surface(fit.surface);
+    const auto copy = [](std::span<const double> from) {
+        return std::vector<double>(from.begin(), from.end());
+    };
+    const PlacedNumbers heights{copy(samples.x), copy(samples.y), copy(samples.z)};
+    PlacedNumbers residuals = heights;
+    // Where nothing is left there is no error to go by.
+    const double common = fit.report.sigma.value_or(1) > 0 ? fit.report.sigma.value_or(1) : 1;
+    for (std::size_t i = 0; i < heights.values.size(); ++i) {
+        const double unit = samples.sigma.empty() ? common : samples.sigma[i];
+        residuals.values[i] = (samples.z[i] - fit.surface(samples.x[i], samples.y[i])) / unit;
+    }
+    const std::vector<PolylineLayer> knots = knot_lines(surface);
+    const Rectangle domain = fit.surface.domain();
+    const Heights relief = seen(surface);
+    const std::vector<double> levels = levels_in(relief, usual_levels);
+    Drawing drawing;
+    drawing.width = picture_width;
+    drawing.columns = 2;
+    drawing.panels = {height_dots(heights, knots, domain, "data and knot lines"),
+                      levels_of(surface, levels),
+                      residual_dots(residuals, knots, domain, "residuals"),
+                      relief_of(relief, levels)};
+    return drawing;
+}
+
 Drawing curved_fit_picture(const CurvedKnotSurface& surface, const GridFile& grid, double sigma) {
     return fit_panels(surface, grid, sigma);
 }

@@ -3,6 +3,7 @@
 #include "batten/io/draw/surface_plots.hpp"
 #include "batten/io/grid_file.hpp"
 #include "batten/make/fit_front.hpp"
+#include "batten/make/fit_scattered.hpp"
 #include "batten/make/fit_surface.hpp"
 
 namespace batten::api {
@@ -21,6 +22,7 @@ Drawing contour_picture(const SplineSurface& surface, const std::vector<Contour>
 
 /// Four panels: the data under the knot lines, level lines, the surface in space, residuals.
 Drawing surface_fit_picture(const SurfaceFit& fit, const GridFile& grid);
+Drawing scattered_fit_picture(const SurfaceFit& fit, const ScatteredSamples& samples);
 Drawing curved_fit_picture(const CurvedKnotSurface& surface, const GridFile& grid, double sigma);
 
 }  // namespace batten::api

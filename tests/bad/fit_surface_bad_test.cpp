@@ -114,26 +114,74 @@ TEST(BadSurfaceChunk, TakesNothingInThatDoesNotBelongToIt) {
     EXPECT_EQ(chunk.samples(), 72u);
 }
 
-TEST(BadSurfaceStream, TakesOnlyKnotLinesThatNeedNoSearch) {
-    const SurfaceTable table = plain();
-    const std::span<const double> z = table.z.view().values();
-    const SurfaceStream stream{table.x, table.y, [&](std::size_t first, std::span<double> rows) {
-                                   std::copy_n(z.data() + first * 8, rows.size(), rows.begin());
-                               }};
+/// The heights x + 2 y; number `bad` is none.
+SurfaceStream plane(std::span<const double> x, std::span<const double> y, std::size_t bad) {
+    return {x, y, [=](std::size_t first, std::span<double> z) {
+                for (std::size_t k = 0; k < z.size(); ++k) {
+                    const std::size_t at = first * y.size() + k;
+                    z[k] = at == bad ? std::numeric_limits<double>::quiet_NaN()
+                                     : x[at / y.size()] + 2 * y[at % y.size()];
+                }
+            }};
+}
+
+constexpr std::size_t none_bad = std::size_t(-1);
+
+TEST(BadSurfaceStream, TakesOnlyWhatNeedsNotAllHeightsAtOnce) {
+    const std::vector<double> x = even_places({0, 1}, 250), y = even_places({0, 1}, 200);
+    const auto code = [&](FitSurfaceOptions options) {
+        options.sigma = 0.01;
+        return code_of([&] { fit_surface(plane(x, y, none_bad), options); });
+    };
+    EXPECT_EQ(code({}), "none");
     FitSurfaceOptions options;
-    const auto code = [&] { return code_of([&] { fit_surface(stream, options); }); };
-    EXPECT_EQ(code(), "fit-surface.streamed");
     options.knots = SurfaceKnots::equal;
-    EXPECT_EQ(code(), "fit-surface.streamed");
+    EXPECT_EQ(code(options), "fit-surface.streamed");
     options.intervals = {2, 2};
-    EXPECT_EQ(code(), "none");
-    options.intervals = {7, 2};
-    EXPECT_EQ(code(), "fit.too-few");
+    EXPECT_EQ(code(options), "none");
+    options.intervals = {300, 2};
+    EXPECT_EQ(code(options), "fit.too-few");
     options.intervals = {};
     options.x_knots = {0.5};
-    EXPECT_EQ(code(), "none");
+    EXPECT_EQ(code(options), "none");
     options.knots = SurfaceKnots::free;
-    EXPECT_EQ(code(), "fit-surface.streamed");
+    EXPECT_EQ(code(options), "fit-surface.streamed");
+    options = {};
+    options.rule = StripRule::marginal;
+    EXPECT_EQ(code(options), "fit-surface.streamed");
+    options = {};
+    options.stop = StopRule::distribution;
+    EXPECT_EQ(code(options), "fit-surface.streamed");
+    options = {};
+    options.degree = 0;
+    EXPECT_EQ(code(options), "fit-surface.streamed");
+    options.degree = 9;
+    EXPECT_EQ(code(options), "none");
+}
+
+TEST(BadSurfaceStream, NamesTheNodeThatIsNone) {
+    const std::vector<double> x = even_places({0, 1}, 250), y = even_places({0, 1}, 200);
+    SurfaceStream stream = plane(x, y, 123 * 200 + 45);
+    stream.rows_at_once = 7;
+    try {
+        fit_surface(stream, {});
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), "points.not-finite");
+        EXPECT_EQ(error.place(), "node 123,45");
+    }
+}
+
+TEST(BadSurfaceStream, NeedsMoreLinesThanTheDegree) {
+    const std::vector<double> x = even_places({0, 1}, 30'000), y{0, 1, 2};
+    FitSurfaceOptions options;
+    options.sigma = 0.01;
+    const auto code = [&] {
+        return code_of([&] { fit_surface(plane(x, y, none_bad), options); });
+    };
+    EXPECT_EQ(code(), "fit.too-few");
+    options.degree = 2;
+    EXPECT_EQ(code(), "none");
 }
 
 }  // namespace fit_surface_bad_test

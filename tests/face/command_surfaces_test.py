@@ -45,8 +45,9 @@ class Surfaces(Folder):
             self.assertEqual(blocks["knots_x"], whole["knots_x"])
             self.assertAlmostEqual(blocks["bic"], whole["bic"], places=9)
             self.assertEqual(blocks["psi"], whole["psi"])
-        for refused in (["--knots", "auto"], ["--knots", "equal"], ["--scattered"]):
-            self.refused("fit-surface.streamed", "fit-surface", self.grid(), "--stream", *refused)
+        searched = self.report("fit-surface", self.grid(), "--stream")["report"]
+        self.assertEqual(searched, self.report("fit-surface", self.grid())["report"])
+        self.refused("fit-surface.streamed", "fit-surface", self.grid(), "--stream", "--scattered")
 
     def test_pictures_of_surfaces_have_their_panels(self):
         self.good("fit-surface", self.grid(), "--sigma", "0.01", "-o", self.path("s.json"),

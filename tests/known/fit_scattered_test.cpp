@@ -118,7 +118,7 @@ TEST(ScatteredSurface, RefusesWhatHasNoAnswer) {
     EXPECT_EQ(refused({x, y, z}, options), "fit.options");
     options.stop = StopRule::bic;
     options.knots = SurfaceKnots::free;
-    EXPECT_EQ(refused({x, y, z}, options), "fit.options");
+    EXPECT_EQ(refused({x, y, z}, options), "fit.too-few");
 }
 
 TEST(FreeKnotLines, LessenDelta2AsMuchAsTheReference) {

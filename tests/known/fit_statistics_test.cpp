@@ -40,6 +40,17 @@ TEST(FitStatistics, HaveNoSigma2WhereNothingIsLeft) {
     EXPECT_TRUE(std::isfinite(fit_criteria(0, 5, 5, SigmaKnowledge::unknown).bic));
 }
 
+TEST(FitStatistics, AreSureOfExactData) {
+    for (const double degrees : {1.0, 10.0, 1e3, 5e4, 2e8}) {
+        for (const double share : {0.0, 1e-30, 1e-20}) {
+            EXPECT_NEAR(chi2_survival(share * degrees, degrees), 1, 1e-9);
+        }
+    }
+    // 1 - exp(-1e-3), and the same by a series in x.
+    EXPECT_NEAR(1 - chi2_survival(2e-3, 2), 9.995001666250084e-4, 1e-16);
+    EXPECT_NEAR(chi2_survival(0.02, 10), 1 - 8.264e-13, 1e-15);
+}
+
 TEST(FitStatistics, GiveTabulatedQuantiles) {
     // Abramowitz and Stegun, tables 26.8 and 26.10.
     EXPECT_NEAR(chi2_quantile(0.05, 10), 18.307, 5e-4);

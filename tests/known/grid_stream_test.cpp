@@ -47,6 +47,34 @@ TEST(GridStream, IsTheGridReadWhole) {
     expect_same(streamed("g.txt", blanks), parse_grid({"g.txt", blanks}));
 }
 
+/// A NumPy array in Fortran order, of bytes.
+std::string by_columns(std::size_t rows, std::size_t columns, const std::string& numbers) {
+    std::string header = "{'descr': '|u1', 'fortran_order': True, 'shape': (" +
+                         std::to_string(rows) + ", " + std::to_string(columns) + "), }";
+    header.append(117 - header.size(), ' ');
+    return std::string("\x93NUMPY\x01\x00", 8) + static_cast<char>(118) + '\0' + header + '\n' +
+           numbers;
+}
+
+TEST(GridStream, ReadsColumnsOfFortranOrder) {
+    const std::string small = by_columns(3, 9, "abcdefghijklmnopqrstuvwxyz0");
+    expect_same(streamed("g.npy", small), parse_grid({"g.npy", small}));
+    // Rows are held up to 64 MB: these are two such bands.
+    constexpr std::size_t rows = 30, columns = 300'000;
+    std::string numbers;
+    for (std::size_t j = 0; j < columns; ++j) {
+        for (std::size_t i = 0; i < rows; ++i) numbers += static_cast<char>((7 * i + 3 * j) % 251);
+    }
+    GridStream stream = streamed("g.npy", by_columns(rows, columns, numbers));
+    std::vector<double> z(columns);
+    for (const std::size_t row : {0, 26, 27, 28, 29, 3}) {
+        stream.read(row, z);
+        for (std::size_t j = 0; j < columns; j += 999) {
+            ASSERT_EQ(z[j], static_cast<double>((7 * row + 3 * j) % 251));
+        }
+    }
+}
+
 TEST(GridStream, ReadsNumbersOfEveryType) {
     // Three rows of two numbers of two bytes, big-endian and signed.
     std::string header = "{'descr': '>i2', 'fortran_order': False, 'shape': (3, 2), }";

@@ -125,6 +125,55 @@ TEST(Picture, OfASurfaceFitShowsKnotLinesLevelsResidualsAndTheSurface) {
     EXPECT_TRUE(is_golden("fit_surface.svg", svg(drawing)));
 }
 
+std::string hills_rows() {
+    std::string text = "x,y,z\n";
+    for (int k = 0; k < 400; ++k) {
+        const double x = 60 * std::fmod(0.5 + 0.7548776662 * k, 1);
+        const double y = 50 * std::fmod(0.5 + 0.5698402910 * k, 1);
+        text += format_fixed(x, 3) + "," + format_fixed(y, 3) + "," +
+                format_fixed(two_hills(x, y) + std::sin(40.0 * k * k), 2) + "\n";
+    }
+    return text;
+}
+
+TEST(Picture, OfAScatteredFitColoursPointsByTheirResiduals) {
+    const Input input{"hills.csv", Source{"hills.csv", hills_rows()}};
+    const Drawing drawing =
+        find_operation("fit-surface")->run({&input, 1}, {{"scattered", "true"}, {"sigma", "0.7"}},
+                                           {}).draw();
+    ASSERT_EQ(drawing.panels.size(), 4u);
+    const auto* dots = std::get_if<ColoredPointsLayer>(&drawing.panels[2].layers[0]);
+    ASSERT_NE(dots, nullptr);
+    EXPECT_EQ(dots->points.size(), 400u);
+    double sum_sq = 0;
+    for (const double e : dots->values) sum_sq += e * e;
+    EXPECT_NEAR(sum_sq / 400, 1, 0.3);
+    EXPECT_TRUE(is_golden("fit_scattered.svg", svg(drawing)));
+}
+
+TEST(Picture, OfCrowdedDotsDrawsTheirMean) {
+    const auto dots_of = [](const ColoredPointsLayer& layer) {
+        Drawing drawing;
+        drawing.add(layer);
+        const std::string text = svg(drawing);
+        std::size_t count = 0;
+        for (std::size_t at = text.find("<circle"); at != text.npos;
+             at = text.find("<circle", at + 1)) {
+            ++count;
+        }
+        return std::pair{count, text};
+    };
+    ColoredPointsLayer layer{Points({0, 0, 1, 1}, 2), {-1, 1}, "e", Ramp::diverging};
+    const auto [apart, two] = dots_of(layer);
+    for (int k = 0; k < 5000; ++k) {
+        layer.points.push_back(std::array{1e-5 * k / 5000, 0.0});
+        layer.values.push_back(k % 2 == 0 ? -1 : 1);
+    }
+    const auto [crowded, many] = dots_of(layer);
+    EXPECT_EQ(crowded, apart);
+    EXPECT_LT(many.size(), two.size() + 200);
+}
+
 TEST(Picture, OfContoursShowsThemAsAMapAndUponTheSurface) {
     const Surface surface = std::get<Surface>(fitted({{"sigma", "0.7"}}).output);
     const Input input{"hills.json", surface};
@@ -169,9 +218,11 @@ TEST(Picture, OfAFlatPatchSaysSoInPlaceOfAMapOfRounding) {
 TEST(Gnuplot, IsToldReliefsAndMaps) {
     const std::string script = gnuplot_script(
         of({relief_plot(hills(5, 5), {}, "relief"), residual_map(hills(5, 5), {}, "map"),
-            level_plot(hills(9, 9), {90}, "levels")}),
+            level_plot(hills(9, 9), {90}, "levels"),
+            height_dots({{0, 1}, {0, 1}, {2, 3}}, {}, {{0, 1}, {0, 1}}, "dots")}),
         ChartFormat::png);
-    for (const char* const words : {"splot $d0_0 with pm3d", "set cbrange [-",
+    for (const char* const words : {"using 1:2:3 with points pt 7 ps 0.6 lc palette",
+                                    "set cbrange [2:3]", "splot $d0_0 with pm3d", "set cbrange [-",
                                     "boxxyerror", "set label \"90\" at ",
                                     "set cblabel \"residual / σ\""}) {
         EXPECT_NE(script.find(words), std::string::npos) << words;
@@ -191,6 +242,18 @@ TEST(Map, RefusesPlacesThatDoNotFitItsNumbers) {
     EXPECT_EQ(code_of_drawing(MapLayer{{0, 1}, {1, 0}, Grid(2, 2)}), "drawing.option");
     EXPECT_EQ(code_of_drawing(MapLayer{{0}, {0, 1}, Grid(1, 2)}), "drawing.option");
     EXPECT_EQ(code_of_drawing(MapLayer{{0, 1}, {0, 1}, Grid(2, 2)}), "none");
+}
+
+TEST(ColoredPoints, RefuseNumbersThatAreNotTheirs) {
+    const Points two({0, 0, 1, 1}, 2);
+    EXPECT_EQ(code_of_drawing(ColoredPointsLayer{two, {1, 2}}), "none");
+    EXPECT_EQ(code_of_drawing(ColoredPointsLayer{two, {1, 1}}), "none");
+    EXPECT_EQ(code_of_drawing(ColoredPointsLayer{two, {1}}), "drawing.option");
+    EXPECT_EQ(code_of_drawing(ColoredPointsLayer{}), "drawing.option");
+    EXPECT_EQ(code_of_drawing(ColoredPointsLayer{two, {1, 2}, "", Ramp::rising, Interval{2, 1}}),
+              "drawing.option");
+    EXPECT_EQ(code_of_drawing(ColoredPointsLayer{Points({0, 0, 0}, 3), {1}}), "drawing.dimension");
+    EXPECT_EQ(code_of_drawing(ColoredPointsLayer{two, {1, std::nan("")}}), "points.not-finite");
 }
 
 TEST(Sheet, RefusesLinesBesideIt) {

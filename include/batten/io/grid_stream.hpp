@@ -14,10 +14,11 @@ namespace grids {
 class StoredRows;
 }
 
-/// A grid of heights in a file that is read in blocks of rows and never held: `.npy` in C order, or
-/// a text table with y in its first row and x in its first column.
+/// A grid of heights in a file that is read in blocks of rows and never held: `.npy`, or a text
+/// table with y in its first row and x in its first column.
 ///
-/// Memory: x and y; of a table three numbers a row; the rows asked for.
+/// Memory: x and y; of a table three numbers a row; the rows asked for. Of `.npy` in Fortran order
+/// 64 MB of rows, so that what is read at a time is long enough.
 class GridStream {
 public:
     /// Throws what parse_grid throws of the axes, a table's rows or a NumPy header; `grid.streamed`

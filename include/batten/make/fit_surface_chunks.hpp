@@ -109,12 +109,19 @@ struct SurfaceStream {
     std::function<void(std::size_t first, std::span<double> z)> read;
     std::span<const double> x_sigma = {};
     std::span<const double> y_sigma = {};
+    std::size_t rows_at_once = 0;  ///< how many are asked for; 0: about 8 MB of them
 };
 
-/// `fit_surface` of a grid that memory does not hold: the rows are read twice, in blocks of about
-/// 8 MB. Knot lines are given, or equal with `intervals`; no node is missing.
+/// `fit_surface` of a grid that memory does not hold: the rows are read twice. No node is missing.
+/// Knot lines are given, equal with `intervals`, or automatic, by the projected rule, until a
+/// criterion, chi2 or delta2 decides. Their search works on the products with the splines over 128
+/// x 128 strips; where it comes to finer ones the rows are read once more. Of fewer than 50,000
+/// nodes all are held, and all is possible.
 ///
-/// Throws what `fit_surface` throws; `fit-surface.streamed` for knots that need a search.
+/// Law:    the lines are those of the grid in memory, the coefficients the same to rounding.
+/// Memory: two blocks of rows; for a search, of every line what 131 doubles hold, or of finer
+///         strips as many as there are splines.
+/// Throws what `fit_surface` throws; `fit-surface.streamed` for what needs all heights at once.
 SurfaceFit fit_surface(const SurfaceStream& stream, const FitSurfaceOptions& options,
                        const Progress& progress = {});
 

@@ -123,6 +123,26 @@ struct Inspector {
         throw Error("drawing.option", place + what, std::move(found), rule);
     }
 
+    void require_color_range(const std::optional<Interval>& range) const {
+        const bool is_good = !range || (std::isfinite(range->lo) && std::isfinite(range->hi) &&
+                                        range->lo < range->hi);
+        if (is_good) return;
+        refuse(" range", format_number(range->lo) + "," + format_number(range->hi),
+               "must be finite and rising");
+    }
+
+    void operator()(const ColoredPointsLayer& layer) {
+        inspect_dim(2);
+        inspect(layer.points);
+        if (layer.points.size() == 0 || layer.values.size() != layer.points.size()) {
+            refuse(" values", std::to_string(layer.values.size()) + " for " +
+                   std::to_string(layer.points.size()) + " points",
+                   "as many numbers as points are needed, at least one");
+        }
+        require_finite(PointsView(layer.values.data(), layer.values.size(), 1));
+        require_color_range(layer.range);
+    }
+
     void operator()(const MapLayer& layer) {
         require_linear();
         inspect_dim(2);
@@ -141,11 +161,7 @@ struct Inspector {
             }
         }
         require_finite(PointsView(z.view().values().data(), z.nu() * z.nv(), 1));
-        if (layer.range && !(std::isfinite(layer.range->lo) && std::isfinite(layer.range->hi) &&
-                             layer.range->lo < layer.range->hi)) {
-            refuse(" range", format_number(layer.range->lo) + "," + format_number(layer.range->hi),
-                   "must be finite and rising");
-        }
+        require_color_range(layer.range);
         if (z.missing() == z.nu() * z.nv()) refuse(" map", "no nodes", "a node must be there");
     }
 

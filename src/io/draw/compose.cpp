@@ -1,7 +1,7 @@
 #include "io/draw/compose.hpp"
 
 #include "io/draw/axes/axes.hpp"
-#include "io/draw/layers/map.hpp"
+#include "io/draw/layers/color_bar.hpp"
 #include "io/draw/layers/paint.hpp"
 #include "io/draw/layers/swatch.hpp"
 #include "io/draw/layout.hpp"
@@ -40,8 +40,8 @@ void draw_panel(Scene& scene, const ReadyPanel& panel, const Place& place) {
     if (has_axes && panel.box.dim == 2) draw_plane_axes(scene, place.axes, place.frame);
     draw_layers(scene, panel, place.frame, room);
     const Rect& area = place.frame.area;
-    if (const MapLayer* map = map_of(panel)) {
-        draw_bar(scene, *map, {area.left, place.bar_top}, area.width);
+    if (const std::optional<ColorBar> bar = bar_of(panel)) {
+        draw_bar(scene, *bar, {area.left, place.bar_top}, area.width);
     }
 }
 

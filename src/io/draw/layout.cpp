@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "io/draw/axes/ticks.hpp"
-#include "io/draw/layers/map.hpp"
 #include "io/draw/scene/text_layout.hpp"
 #include "io/draw/scene/theme.hpp"
 #include "io/draw/shapes/relief.hpp"
@@ -104,7 +103,7 @@ Rims rims_of(const ReadyPanel& panel, const Place& place) {
         if (place.axes.has_x_numbers) rims.bottom += numbers_height;
         if (place.axes.has_x_name()) rims.bottom += name_height;
     }
-    if (map_of(panel)) rims.bottom += bar_room;
+    if (bar_of(panel)) rims.bottom += bar_room;
     return rims;
 }
 
@@ -138,12 +137,12 @@ Columns columns_of(const Drawing& drawing, const std::vector<ReadyPanel>& panels
 
 }  // namespace
 
-const MapLayer* map_of(const ReadyPanel& panel) {
+std::optional<ColorBar> bar_of(const ReadyPanel& panel) {
     for (const ReadyLayer& layer : panel.layers) {
-        const auto* map = std::get_if<MapLayer>(layer.layer);
-        if (map && !map->bar.empty()) return map;
+        std::optional<ColorBar> bar = bar_of(*layer.layer);
+        if (bar && !bar->name.empty()) return bar;
     }
-    return nullptr;
+    return std::nullopt;
 }
 
 Box room_of(const ReadyPanel& panel) {

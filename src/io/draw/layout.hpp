@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "io/draw/axes/axes.hpp"
+#include "io/draw/layers/color_bar.hpp"
 #include "io/draw/prepare.hpp"
 
 namespace batten::drawing {
@@ -39,8 +41,8 @@ inline constexpr double subtitle_leading = 17;
 inline constexpr double caption_leading = 18;
 inline constexpr double swatch_width = 22;
 
-/// The first map of a panel that names its colour bar, or null.
-const MapLayer* map_of(const ReadyPanel& panel);
+/// The first named colour bar of a panel's layers.
+std::optional<ColorBar> bar_of(const ReadyPanel& panel);
 
 /// The box of a panel as it is drawn: in space with air around.
 Box room_of(const ReadyPanel& panel);

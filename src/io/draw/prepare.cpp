@@ -80,6 +80,10 @@ struct Preparation {
         box.add(std::array{layer.x.front(), layer.y.front()});
         box.add(std::array{layer.x.back(), layer.y.back()});
     }
+    void operator()(const ColoredPointsLayer& layer) {
+        box.add(layer.points);
+        pad(14);
+    }
     void operator()(const SheetLayer& layer) {
         ready.tone = layer.tone;
         const Grid& nodes = layer.nodes;

@@ -9,12 +9,14 @@ namespace grids {
 
 Error not_streamed(const std::string& source, std::string value) {
     return {"grid.streamed", source, std::move(value),
-            "read in blocks are .npy in C order, and tables with y in the first row"};
+            "only .npy and tables (y in the first row, x in the first column) are read in blocks: "
+            "write the grid as one of these, with numpy.save for example, or read it whole"};
 }
 
 Error missing_node(const std::string& place) {
     return {"grid.holes", place, "missing",
-            "a grid that is read in blocks has a height at every node"};
+            "a grid that is read in blocks has a height at every node: cut off or fill those that "
+            "are missing, or take every second row and column until it is read whole"};
 }
 
 }  // namespace grids

@@ -30,7 +30,12 @@ FitCriteria fit_criteria(double delta2, std::size_t samples, int parameters,
 }
 
 double chi2_survival(double delta2, double degrees) {
-    return boost::math::gamma_q(0.5 * degrees, 0.5 * delta2);
+    // The probability of less is at most x^a / Gamma(a + 1), as exp(-t) <= 1. Where that is nothing
+    // beside 1, series for small x would ask for a Gamma beyond all numbers.
+    constexpr double log_of_nothing = -40;
+    const double a = 0.5 * degrees, x = 0.5 * delta2;
+    if (a * std::log(x) - boost::math::lgamma(a + 1) < log_of_nothing) return 1;
+    return boost::math::gamma_q(a, x);
 }
 
 double chi2_quantile(double tail, double degrees) {

@@ -40,7 +40,11 @@ public:
     LineSearch(Lattice& lattice, const Target& target) : lattice_(lattice), target_(target) {}
 
     bool step_wants_more() {
-        lattice_.refit();
+        if (!lattice_.refit()) {
+            require_a_step();
+            is_cut_off_ = true;
+            return false;
+        }
         steps_.push_back(step_of(lattice_));
         x_breaks_.push_back(lattice_.x_breaks());
         y_breaks_.push_back(lattice_.y_breaks());
@@ -66,10 +70,21 @@ public:
             choice.misfit = std::move(fit->misfit);
         }
         choice.path = std::move(steps_);
+        if (is_cut_off_) {
+            choice.notes.push_back("the search ended early: strips so narrow, or lines and errors "
+                                   "so uneven, are searched with the grid in memory only");
+        }
         return choice;
     }
 
 private:
+    void require_a_step() const {
+        if (!steps_.empty()) return;
+        throw Error("fit-surface.streamed", "knots", "auto",
+                    "lines or errors so uneven are searched with the grid in memory only: give "
+                    "knot lines");
+    }
+
     double value(std::size_t i) const { return criterion_of(steps_[i], target_.rule); }
 
     bool wants_more(const SurfaceStep& step) {
@@ -110,6 +125,7 @@ private:
     double best_ = 0;
     int best_strips_ = 2;
     bool is_met_ = true;
+    bool is_cut_off_ = false;
 };
 
 SurfaceChoice insert_lines(Lattice& lattice, const Target& target) {
@@ -221,16 +237,18 @@ SurfaceChoice searched_lines(Lattice& lattice, const FitSurfaceOptions& options,
     return is_even ? equal_lines(lattice, target) : insert_lines(lattice, target);
 }
 
-SurfaceChoice moved_where_free(const Nodes& nodes, const FitSurfaceOptions& options,
+/// Of nodes or a cloud.
+template <class Data>
+SurfaceChoice moved_where_free(const Data& data, const FitSurfaceOptions& options,
                                SurfaceChoice choice) {
     if (options.knots != SurfaceKnots::free) return choice;
-    MovedLines moved = move_lines(nodes, std::move(choice.x_knots), std::move(choice.y_knots),
+    MovedLines moved = move_lines(data, {std::move(choice.x_knots), std::move(choice.y_knots)},
                                   options.degree);
     choice.solution.reset();
     choice.x.reset();
     choice.y.reset();
-    choice.x_knots = std::move(moved.x_knots);
-    choice.y_knots = std::move(moved.y_knots);
+    choice.x_knots = std::move(moved.knots[0]);
+    choice.y_knots = std::move(moved.knots[1]);
     choice.moved = moved.moved;
     choice.is_converged = moved.is_converged;
     return choice;
@@ -261,9 +279,6 @@ SurfaceChoice choose_lines(const Nodes& nodes, const FitSurfaceOptions& options)
 SurfaceChoice choose_lines(const Cloud& cloud, const FitSurfaceOptions& options) {
     require_surface_options(options);
     const Target target = target_of(options);
-    if (options.knots == SurfaceKnots::free) {
-        throw Error("fit.options", "knots", "free", "knot lines are moved on grids only");
-    }
     const bool needs_errors = options.stop == StopRule::distribution ||
                               options.stop == StopRule::chi2;
     if (needs_errors && !cloud.sigma_known) {
@@ -274,10 +289,10 @@ SurfaceChoice choose_lines(const Cloud& cloud, const FitSurfaceOptions& options)
         SurfaceChoice choice;
         choice.x_knots = given_knots(options.x_knots, cloud.domain.x, options.degree, "x_knots");
         choice.y_knots = given_knots(options.y_knots, cloud.domain.y, options.degree, "y_knots");
-        return choice;
+        return moved_where_free(cloud, options, std::move(choice));
     }
     Lattice lattice(cloud, options.degree, options.rule);
-    return searched_lines(lattice, options, target);
+    return moved_where_free(cloud, options, searched_lines(lattice, options, target));
 }
 
 }  // namespace batten::surface_fitting

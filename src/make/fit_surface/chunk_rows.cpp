@@ -16,8 +16,10 @@ void require_inside(std::span<const double> lines, Interval domain, const char* 
     }
 }
 
+}  // namespace
+
 /// A height that is none spoils the sum; only then it is looked for.
-void require_finite_rows(std::span<const double> z, std::size_t columns) {
+void require_finite_rows(std::span<const double> z, std::size_t columns, std::size_t first) {
     double lanes[8] = {};
     const std::size_t whole = z.size() / 8 * 8;
     for (std::size_t k = 0; k < whole; k += 8) {
@@ -27,10 +29,8 @@ void require_finite_rows(std::span<const double> z, std::size_t columns) {
     double sum = 0;
     for (const double lane : lanes) sum += lane;
     if (sum == 0) return;
-    require_finite_heights(z, columns);
+    require_finite_heights(z, columns, first);
 }
-
-}  // namespace
 
 void require_columns(const SurfaceColumns& columns, const BSplineBasis& y) {
     require_lines(columns.y, "y");

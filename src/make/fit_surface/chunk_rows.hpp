@@ -11,4 +11,7 @@ void require_columns(const SurfaceColumns& columns, const BSplineBasis& y);
 void require_rows(const SurfaceRows& rows, const SurfaceColumns& columns, const BSplineBasis& x,
                   double sigma);
 
+/// Throws `points.not-finite`: rows are whole. `first`: of the grid's rows the first of these.
+void require_finite_rows(std::span<const double> z, std::size_t columns, std::size_t first = 0);
+
 }  // namespace batten::surface_fitting

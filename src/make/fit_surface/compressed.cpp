@@ -1,31 +1,13 @@
 #include "make/fit_surface/compressed.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "num/lanes.hpp"
+#include "make/fit_surface/height_products.hpp"
 #include "num/rows.hpp"
 #include "num/tensor.hpp"
 
 namespace batten::surface_fitting {
 namespace {
-
-constexpr std::size_t rows_read = 16;
-constexpr double safe_ratio = 1e6;  // of sum of squares to delta2: beyond, the nodes are read again
-
-/// Breaks by halving, so that they are those of a search to the last bit.
-std::vector<double> halved(Interval range, int strips) {
-    std::vector<double> breaks{range.lo, range.hi};
-    while (static_cast<int>(breaks.size()) - 1 < strips) {
-        std::vector<double> finer{breaks.front()};
-        for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-            finer.push_back(Interval{breaks[i], breaks[i + 1]}.middle());
-            finer.push_back(breaks[i + 1]);
-        }
-        breaks = std::move(finer);
-    }
-    return breaks;
-}
 
 /// The coarse splines as sums of the fine ones.
 struct Inclusion {
@@ -98,38 +80,12 @@ std::vector<double> transposed(const std::vector<double>& m, std::size_t rows,
     return result;
 }
 
-/// The sum of the squares of row[s] weights[s].
-BATTEN_CLONES double weighted_square_sum(const double* row, std::span<const double> weights) {
-    num::Lanes sums = {};
-    std::size_t s = 0;
-    for (; s + num::lanes <= weights.size(); s += num::lanes) {
-        num::Lanes z, w;
-        num::load(row + s, z);
-        num::load(weights.data() + s, w);
-        z *= w;
-        sums += z * z;
-    }
-    double sum = num::sum_of(sums);
-    for (; s < weights.size(); ++s) sum += row[s] * weights[s] * (row[s] * weights[s]);
-    return sum;
-}
-
-/// (a b)(r, s) of the row r.
-void add_row_products(const num::TensorSide& side, std::size_t r, std::span<const double> row,
-                      std::vector<double>& to) {
-    for (int i = 0; i < side.order; ++i) {
-        const std::size_t at = side.first[r] + static_cast<std::size_t>(i);
-        num::add_times(side.at(r)[i], row, std::span(to).subspan(at * row.size(), row.size()));
-    }
-}
-
 }  // namespace
 
-std::unique_ptr<Compressed> Compressed::of(const Nodes& nodes, int degree, int strips) {
-    const auto basis = [&](std::span<const double> lines) {
-        return BSplineBasis::over(halved({lines.front(), lines.back()}, strips), degree);
-    };
-    const BSplineBasis x = basis(nodes.x), y = basis(nodes.y);
+std::unique_ptr<Compressed> Compressed::over(const Nodes& nodes, int degree,
+                                             const std::vector<double>& x_breaks,
+                                             const std::vector<double>& y_breaks) {
+    const BSplineBasis x = basis_over(x_breaks, degree), y = basis_over(y_breaks, degree);
     if (!is_determined(x, nodes.x) || !is_determined(y, nodes.y)) return nullptr;
     return std::unique_ptr<Compressed>(
         new Compressed(nodes, Axis(x, nodes.x, nodes.x_weight, nodes.x),
@@ -138,48 +94,33 @@ std::unique_ptr<Compressed> Compressed::of(const Nodes& nodes, int degree, int s
 
 Compressed::Compressed(const Nodes& nodes, Axis x, Axis y)
     : nodes_(nodes), x_(std::move(x)), y_(std::move(y)) {
-    const double all = read_nodes();
-    products_ = heights_;
+    HeightProducts sums(nodes, x_, y_);
+    nodes.for_rows([&](std::size_t first, std::span<const double> z) { sums.add(first, z); });
+    products_ = std::move(sums.both);
+    x_lines_ = std::move(sums.x_lines);
+    y_lines_ = std::move(sums.y_lines);
+    const std::size_t n = nodes.y.size();
+    for (std::size_t i = 0; i < x_.functions(); ++i) {
+        for (std::size_t s = 0; s < n; ++s) y_lines_[i * n + s] *= nodes.y_weight[s];
+    }
+    heights_ = products_;
     x_.forward_rows(heights_, y_.functions());
     y_.forward_columns(heights_);
-    y_.forward_rows(x_lines_, nodes.x.size());
-    x_.forward_rows(y_lines_, nodes.y.size());
-    least_delta2_ = all - num::sum_of_squares(heights_);
-    if (!(all <= safe_ratio * least_delta2_)) {
-        least_delta2_ =
-            misfit(nodes, x_, y_, inverted(products_, x_, y_), std::nullopt).delta2;
-    }
+    x_.forward_rows(y_lines_, n);
+    least_delta2_ = sums.left_sq + left_of_x_lines();
 }
 
-double Compressed::read_nodes() {
-    const std::size_t m = nodes_.x.size(), n = nodes_.y.size(), q = y_.functions();
-    const num::Tensor tensor(x_.normal(), y_.normal(), num::Tensor::Use::products);
-    heights_.assign(x_.functions() * q, 0.0);
-    x_lines_.assign(q * m, 0.0);
-    y_lines_.assign(x_.functions() * n, 0.0);
-    std::vector<double> part(rows_read * q);
-    double all = 0;
-    for (std::size_t first = 0; first < m; first += rows_read) {
-        const num::PlaceRange rows{first, std::min(m, first + rows_read)};
-        std::fill(part.begin(), part.end(), 0.0);
-        tensor.contract_apart(nodes_.z.subspan(first * n, rows.count() * n), rows, y_lines_, part);
-        for (std::size_t r = rows.first; r < rows.last; ++r) {
-            const double weight = nodes_.x_weight[r];
-            all += weighted_square_sum(nodes_.z.data() + r * n, nodes_.y_weight) * weight * weight;
-            const std::span<double> row = std::span(part).subspan((r - first) * q, q);
-            for (double& value : row) value *= weight;
-            add_row_products(x_.weighted(), r, row, heights_);
-        }
-        for (std::size_t j = 0; j < q; ++j) {
-            for (std::size_t r = rows.first; r < rows.last; ++r) {
-                x_lines_[j * m + r] = part[(r - first) * q + j];
-            }
-        }
+double Compressed::left_of_x_lines() const {
+    const std::size_t m = nodes_.x.size(), q = y_.functions();
+    std::vector<double> of_x(x_.functions());
+    double sum = 0;
+    for (std::size_t j = 0; j < q; ++j) {
+        for (std::size_t i = 0; i < of_x.size(); ++i) of_x[i] = heights_[i * q + j];
+        std::vector<double> rest = at_lines(Way::x, of_x);
+        num::add_times(-1, std::span(x_lines_).subspan(j * m, m), rest);
+        sum += num::sum_of_squares(rest);
     }
-    for (std::size_t i = 0; i < x_.functions(); ++i) {
-        for (std::size_t s = 0; s < n; ++s) y_lines_[i * n + s] *= nodes_.y_weight[s];
-    }
-    return all;
+    return sum;
 }
 
 bool Compressed::has_break(Way way, double t) const {

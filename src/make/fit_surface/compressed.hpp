@@ -7,6 +7,9 @@
 
 namespace batten::surface_fitting {
 
+/// Nodes; fewer are searched as they are.
+constexpr std::size_t worth_compressing = 50000;
+
 /// A full grid read once: what fits over halved strips need, without the nodes.
 ///
 /// Splines over strips made by halving lie in the space over the finest strips of that kind. For
@@ -15,11 +18,14 @@ namespace batten::surface_fitting {
 /// them orthonormal.
 ///
 /// delta2 is that of the finest strips and what is left of the products, so that nothing cancels.
-/// Accuracy: 1e-10 of delta2. Cost: one pass over the nodes. Borrows the nodes.
+/// Accuracy: 1e-10 of delta2. Memory: for every line the functions across. Cost: one pass over the
+/// nodes. Borrows the nodes.
 class Compressed : public SearchSpace {
 public:
-    /// Nothing where the nodes do not determine the splines over so many strips.
-    static std::unique_ptr<Compressed> of(const Nodes& nodes, int degree, int strips);
+    /// Nothing where the nodes do not determine the splines over these breaks.
+    static std::unique_ptr<Compressed> over(const Nodes& nodes, int degree,
+                                            const std::vector<double>& x_breaks,
+                                            const std::vector<double>& y_breaks);
 
     const std::vector<double>& heights() const override { return heights_; }
     std::size_t size(Way way) const override { return axis(way).functions(); }
@@ -37,8 +43,7 @@ public:
 
 private:
     Compressed(const Nodes& nodes, Axis x, Axis y);
-    /// Fills the products; the sum of the squares of the weighted heights.
-    double read_nodes();
+    double left_of_x_lines() const;
     const Axis& axis(Way way) const { return way == Way::x ? x_ : y_; }
 
     const Nodes& nodes_;

@@ -52,7 +52,7 @@ SurfaceFit fit_scattered(const ScatteredSamples& samples, const FitSurfaceOption
     fill_criteria(report, fit.misfit,
                   {cloud.count(), 0, cloud.sigma_known, cloud.source, cloud.sigma});
     if (!cloud.sigma_known) scale_to_leftover(report, cloud, surface);
-    report.parameters_charged = report.parameters;
+    report.parameters_charged = report.parameters + choice.moved;
     const std::vector<double> across = typical_lines(cloud.domain.x, cloud.count());
     const std::vector<double> along = typical_lines(cloud.domain.y, cloud.count());
     report.separability = separability(surface, across, along);
@@ -69,8 +69,10 @@ SurfaceFit fit_scattered(const ScatteredSamples& samples, const FitSurfaceOption
                                " more coefficients follow from smoothness rather than from samples");
     }
     const bool is_whole = report.undetermined.empty() && fit.faint == 0;
-    report.status = !is_whole ? Status::rank_deficient
-                    : choice.is_met ? Status::met : Status::not_met;
+    report.status = !is_whole              ? Status::rank_deficient
+                    : !choice.is_converged ? Status::not_converged
+                    : choice.is_met        ? Status::met
+                                           : Status::not_met;
     return {std::move(surface), std::move(report)};
 }
 

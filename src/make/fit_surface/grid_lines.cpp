@@ -43,11 +43,11 @@ void require_errors(std::span<const double> sigma, std::size_t count, const char
     }
 }
 
-void require_finite_heights(std::span<const double> z, std::size_t columns) {
+void require_finite_heights(std::span<const double> z, std::size_t columns, std::size_t first) {
     for (std::size_t k = 0; k < z.size(); ++k) {
         if (std::isfinite(z[k])) continue;
         throw Error("points.not-finite",
-                    "node " + std::to_string(k / columns) + ',' + std::to_string(k % columns),
+                    "node " + std::to_string(first + k / columns) + ',' + std::to_string(k % columns),
                     format_number(z[k]), "heights must be finite");
     }
 }

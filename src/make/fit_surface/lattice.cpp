@@ -3,16 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 
+#include "batten/base/error.hpp"
 #include "make/fit_surface/compressed.hpp"
 #include "make/fit_surface/filled_report.hpp"
+#include "make/fit_surface/finest_strips.hpp"
 #include "make/fit_surface/node_space.hpp"
 
 namespace batten::surface_fitting {
 namespace {
 
-constexpr std::size_t worth_compressing = 50000;  // nodes
-constexpr int usual_strips = 32;  // of the finest; where halving goes on, twice as many
+// Of both directions, for the finest strips; where halving goes on, one more.
+constexpr int usual_halvings = 5;
+constexpr int least_halvings = 3;
+constexpr int stored_halvings = 7;  // of heights whose reading takes longer than a search
+constexpr int local_halvings = 3;   // of the present strips, where not all can be so fine
 
 std::vector<double> equal_strips(Interval range, int strips) {
     return even_places(range, static_cast<std::size_t>(strips) + 1);
@@ -53,16 +59,19 @@ void Lattice::set(std::vector<double> x_breaks, std::vector<double> y_breaks) {
     solution_.reset();
 }
 
-void Lattice::refit() {
+bool Lattice::refit() {
     if (cloud_) {
         CloudFit fit = fit_cloud(*cloud_, basis_over(x_breaks_, degree_),
                                  basis_over(y_breaks_, degree_), rule_);
         solution_ = std::move(fit.solution);
         misfit_ = std::move(fit.misfit);
-        return;
+        return true;
     }
     if (nested_ && (nested_->go_to(x_breaks_, y_breaks_) || go_to_finer_strips())) {
         misfit_ = nested_->misfit();
+        misfit_.delta2 /= unit_ * unit_;
+    } else if (nodes_->stored) {
+        return false;
     } else {
         nested_.reset();
         if (!x_) x_ = std::make_unique<Axis>(axis_over(x_breaks_, Way::x));
@@ -71,30 +80,67 @@ void Lattice::refit() {
         misfit_ = surface_fitting::misfit(*nodes_, *x_, *y_, solution_->coefficients, rule_);
     }
     require_finite_misfit();
+    return true;
 }
 
 void Lattice::expect_splits(Residuals residuals) {
-    if (!nodes_ || !nodes_->is_full() || !is_determined(basis_over(x_breaks_, degree_), used_x_) ||
-        !is_determined(basis_over(y_breaks_, degree_), used_y_)) {
-        return;
+    if (!nodes_ || !nodes_->is_full()) return;
+    const bool is_determined_now = is_determined(basis_over(x_breaks_, degree_), used_x_) &&
+                                   is_determined(basis_over(y_breaks_, degree_), used_y_);
+    if (nodes_->stored && !is_determined_now) {
+        throw Error("fit.too-few", "grid", std::to_string(used_x_.size()) + " x " +
+                    std::to_string(used_y_.size()) + " lines",
+                    "in each direction there must be more than the degree, " +
+                    std::to_string(degree_));
     }
-    if (nodes_->z.size() < worth_compressing) {
+    if (!is_determined_now) return;
+    if (nodes_->count < worth_compressing) {
         space_ = std::make_unique<NodeSpace>(*nodes_);
     } else if (residuals == Residuals::sums && rule_ == StripRule::projected && degree_ > 0) {
-        for (finest_strips_ = usual_strips; finest_strips_ >= 8; finest_strips_ /= 2) {
-            space_ = Compressed::of(*nodes_, degree_, finest_strips_);
-            if (space_) break;
-        }
+        halvings_ = nodes_->stored ? stored_halvings : usual_halvings;
+        while (!(space_ = compressed(halvings_)) && halvings_ > least_halvings) --halvings_;
+        if (!space_) space_ = finer_space();
     }
+    // Weights have the unit already where it was known before.
+    if (nodes_->stored && !nodes_->sigma_known) unit_ = nodes_->stored->unit();
     if (space_) nested_ = Nested::over(*space_, degree_, rule_);
+}
+
+bool Lattice::fits(const std::vector<double>& x_breaks, const std::vector<double>& y_breaks) const {
+    const std::size_t p = x_breaks.size(), q = y_breaks.size();
+    return p * nodes_->y.size() + q * nodes_->x.size() <= nodes_->count;
+}
+
+std::unique_ptr<SearchSpace> Lattice::compressed(int halvings) const {
+    const std::vector<double> x = halved({domain_.x.lo, domain_.x.hi}, halvings);
+    const std::vector<double> y = halved({domain_.y.lo, domain_.y.hi}, halvings);
+    return fits(x, y) ? Compressed::over(*nodes_, degree_, x, y) : nullptr;
+}
+
+/// Every strip in which the search stands halved, as often as the lines allow.
+std::unique_ptr<SearchSpace> Lattice::locally_finer_space() const {
+    for (int times = local_halvings; times > 0; --times) {
+        const std::vector<double> x =
+            halved_where_determined(x_breaks_, times, degree_, used_x_);
+        const std::vector<double> y =
+            halved_where_determined(y_breaks_, times, degree_, used_y_);
+        const bool is_last_way = times == 1 && nodes_->stored;
+        if (fits(x, y) || is_last_way) return Compressed::over(*nodes_, degree_, x, y);
+    }
+    return nullptr;
+}
+
+std::unique_ptr<SearchSpace> Lattice::finer_space() {
+    if (halvings_ > 0 && space_) {
+        if (std::unique_ptr<SearchSpace> even = compressed(++halvings_)) return even;
+    }
+    halvings_ = 0;
+    return locally_finer_space();
 }
 
 bool Lattice::go_to_finer_strips() {
     if (space_->is_of_nodes()) return false;
-    finest_strips_ *= 2;
-    const std::size_t functions = static_cast<std::size_t>(finest_strips_ + degree_);
-    if (functions * (nodes_->x.size() + nodes_->y.size()) > nodes_->z.size()) return false;
-    std::unique_ptr<SearchSpace> finer = Compressed::of(*nodes_, degree_, finest_strips_);
+    std::unique_ptr<SearchSpace> finer = finer_space();
     if (!finer) return false;
     nested_ = Nested::over(*finer, degree_, rule_);
     space_ = std::move(finer);

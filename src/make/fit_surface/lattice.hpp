@@ -25,12 +25,14 @@ public:
     int parameters() const { return (x_strips() + degree_) * (y_strips() + degree_); }
     const Misfit& misfit() const { return misfit_; }
 
-    /// Solves and measures for the present lines. Throws `points.not-finite`, `number.overflow`.
-    void refit();
+    /// Solves and measures for the present lines. False where that needs nodes that are not held.
+    /// Throws `points.not-finite`, `number.overflow`.
+    bool refit();
     /// Where every residual is asked for, or only their sums.
     enum class Residuals { each, sums };
     /// Gets ready for refits whose lines are those before and some more, where that is worth while.
-    /// Of sums only, the nodes of large grids are read once; psi is then not measured.
+    /// Of sums only, the nodes of large grids are read once; psi is then not measured. Throws
+    /// `fit.too-few` where stored heights do not determine a polynomial.
     void expect_splits(Residuals residuals);
     /// What a fit of its own would give for lines of one of the refits, where it is known.
     struct Fit {
@@ -58,6 +60,10 @@ public:
 
 private:
     void require_finite_misfit() const;
+    std::unique_ptr<SearchSpace> compressed(int halvings) const;
+    std::unique_ptr<SearchSpace> finer_space();
+    std::unique_ptr<SearchSpace> locally_finer_space() const;
+    bool fits(const std::vector<double>& x_breaks, const std::vector<double>& y_breaks) const;
     bool go_to_finer_strips();
     bool can_split(Strip strip) const;
     Axis axis_over(const std::vector<double>& breaks, Way way) const;
@@ -72,8 +78,9 @@ private:
     std::unique_ptr<Axis> x_, y_;  ///< of the present lines, once asked for
     std::optional<Solution> solution_;  ///< of the present lines, unless nested
     Misfit misfit_;
+    double unit_ = 1;  ///< of stored heights' errors
     std::unique_ptr<SearchSpace> space_;
-    int finest_strips_ = 0;  ///< of the space, where the nodes are read once
+    int halvings_ = 0;  ///< of all strips, that gave the space's; 0: strips differ
     std::unique_ptr<Nested> nested_;
 };
 

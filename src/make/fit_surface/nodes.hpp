@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -7,10 +8,24 @@
 
 namespace batten::surface_fitting {
 
+/// Takes whole rows that follow each other, from row `first` on.
+using TakeRows = std::function<void(std::size_t first, std::span<const double> z)>;
+
+/// Heights that are not held but read, as often as they are needed.
+class StoredHeights {
+public:
+    virtual ~StoredHeights() = default;
+    /// All rows, block after block.
+    virtual void read(const TakeRows& take) = 0;
+    /// What all errors are to be times, known once the rows have been read.
+    virtual double unit() const = 0;
+};
+
 /// What a surface fit works on: heights on a grid and their weights, 1 / sigma.
 struct Nodes {
     std::span<const double> x, y;
     std::span<const double> z;                 ///< x slowest; missing ones are 0
+    StoredHeights* stored = nullptr;           ///< where z does not hold them
     std::vector<double> x_weight, y_weight;    ///< the weight of node (r, s) is their product
     std::vector<double> cell_factor_sq;        ///< times the root of this; empty: 1 everywhere
     std::size_t count = 0;                     ///< nodes with a height and a weight
@@ -21,6 +36,7 @@ struct Nodes {
     std::vector<double> filled;                ///< owns z where nodes are missing
 
     bool is_full() const { return cell_factor_sq.empty(); }
+    void for_rows(const TakeRows& take) const { stored ? stored->read(take) : take(0, z); }
     /// Whether any node of row r (column s) counts.
     std::vector<double> used_x() const;
     std::vector<double> used_y() const;

@@ -9,12 +9,6 @@ namespace {
 constexpr double harmless_row_spread = 10;
 constexpr std::size_t row_lanes = 8;
 
-num::TensorSide separate_rows(std::size_t count) {
-    num::TensorSide side{1, count, {}, std::vector<double>(count, 1.0)};
-    for (std::size_t r = 0; r < count; ++r) side.first.push_back(r);
-    return side;
-}
-
 std::vector<double> band_gram(const num::TensorSide& side) {
     const std::size_t order = static_cast<std::size_t>(side.order);
     std::vector<double> gram(side.functions * order, 0.0);
@@ -47,6 +41,12 @@ double weighted_sq(const double* e, std::span<const double> weights) {
 }
 
 }  // namespace
+
+num::TensorSide separate_rows(std::size_t count) {
+    num::TensorSide side{1, count, {}, std::vector<double>(count, 1.0)};
+    for (std::size_t r = 0; r < count; ++r) side.first.push_back(r);
+    return side;
+}
 
 RowFits::RowFits(BSplineBasis basis, std::span<const double> places,
                  std::span<const double> weights)

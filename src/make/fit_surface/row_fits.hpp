@@ -7,6 +7,9 @@
 
 namespace batten::surface_fitting {
 
+/// A side with a function at every place and nowhere else.
+num::TensorSide separate_rows(std::size_t count);
+
 /// Rows of a grid, each fitted in y by itself.
 class RowFits {
 public:

@@ -103,6 +103,6 @@ struct TextLayer {
 
 using Layer = std::variant<CurveLayer, PolylineLayer, PointsLayer, RegionsLayer,
                            ControlPolygonLayer, CombLayer, ArrowsLayer, TicksLayer, TextLayer,
-                           MapLayer, SheetLayer>;
+                           MapLayer, ColoredPointsLayer, SheetLayer>;
 
 }  // namespace batten

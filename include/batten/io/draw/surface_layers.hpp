@@ -41,6 +41,19 @@ struct MapLayer {
     std::vector<BarMark> marks = {};  ///< beside both ends of the range
 };
 
+/// Dots coloured by their numbers, with the colour bar of a map. In the plane only.
+///
+/// Those nearer to one another than 4 pixels are drawn as one, by the mean of their numbers; the
+/// ends of the colours lie on top.
+struct ColoredPointsLayer {
+    Points points{0, 2};
+    std::vector<double> values;  ///< one a point
+    std::string bar = {};        ///< what the colour bar is of
+    Ramp ramp = Ramp::rising;
+    std::optional<Interval> range = {};  ///< as of a map
+    std::vector<BarMark> marks = {};
+};
+
 enum class SheetStyle {
     shaded,  ///< lit from above the left
     wire,    ///< node lines; what lies behind is hidden

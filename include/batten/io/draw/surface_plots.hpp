@@ -21,6 +21,11 @@ struct Heights {
 /// A surface at `count` x `count` places evenly over its domain.
 Heights sampled(const Surface& surface, std::size_t count);
 
+/// Numbers at single places, all of them finite.
+struct PlacedNumbers {
+    std::vector<double> x, y, values;
+};
+
 /// The knot lines of a surface: straight ones dotted grey, curved ones in red.
 std::vector<PolylineLayer> knot_lines(const Surface& surface);
 
@@ -55,5 +60,11 @@ Panel height_map(const Heights& heights, std::string caption);
 /// with one standard deviation marked. `knots` are drawn over them.
 Panel residual_map(const Heights& residuals, const std::vector<PolylineLayer>& knots,
                    std::string caption);
+
+/// The same of single points of `part`: dots under the knot lines.
+Panel height_dots(const PlacedNumbers& heights, const std::vector<PolylineLayer>& knots,
+                  const Rectangle& part, std::string caption);
+Panel residual_dots(const PlacedNumbers& residuals, const std::vector<PolylineLayer>& knots,
+                    const Rectangle& part, std::string caption);
 
 }  // namespace batten

@@ -6,6 +6,7 @@
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
+#include "io/draw/layers/color_bar.hpp"
 #include "io/draw/layers/map.hpp"
 #include "io/draw/prepare.hpp"
 #include "io/draw/scene/ramp.hpp"
@@ -124,6 +125,17 @@ struct Plotter {
         }
         return {rows + '\n', "using 1:2:3:4:5:6:7 with boxxyerror fs solid noborder lc palette"};
     }
+    Plot operator()(const ColoredPointsLayer& layer) const {
+        std::string rows;
+        for (std::size_t i = 0; i < layer.points.size(); ++i) {
+            rows += format_number(layer.points(i, 0)) + ' ' + format_number(layer.points(i, 1)) +
+                    ' ' + format_number(layer.values[i]) + '\n';
+        }
+        // Once larger in grey, which leaves a rim: those around 0 are nearly paper.
+        return {rows + '\n', "using 1:2 with points pt 7 ps 0.75 lc rgb \"" +
+                                 std::string(axis_color) + "\" notitle, '' " +
+                                 "using 1:2:3 with points pt 7 ps 0.6 lc palette"};
+    }
     Plot operator()(const SheetLayer& layer) const {
         const Grid& nodes = layer.nodes;
         std::string rows;
@@ -157,16 +169,15 @@ std::string range_of(const char* axis, Interval side, bool is_log) {
 /// The colours of a map and their bar, or neither.
 std::string palette_of(const ReadyPanel& ready) {
     for (const ReadyLayer& layer : ready.layers) {
-        const auto* map = std::get_if<MapLayer>(layer.layer);
-        if (!map) continue;
+        const std::optional<ColorBar> bar = drawing::bar_of(*layer.layer);
+        if (!bar) continue;
         std::string text = "set palette maxcolors " + std::to_string(ramp_classes) + " defined (";
         for (int k = 0; k < ramp_classes; ++k) {
             text += (k > 0 ? ", " : "") + std::to_string(k) + " \"" +
-                    std::string(ramp_color(map->ramp, k)) + '"';
+                    std::string(ramp_color(bar->ramp, k)) + '"';
         }
-        const Interval range = drawing::range_of(*map);
-        return text + ")\nset cbrange [" + format_number(range.lo) + ':' +
-               format_number(range.hi) + "]\nset cblabel " + quoted(map->bar) +
+        return text + ")\nset cbrange [" + format_number(bar->range.lo) + ':' +
+               format_number(bar->range.hi) + "]\nset cblabel " + quoted(bar->name) +
                "\nset colorbox\n";
     }
     return "unset colorbox\n";

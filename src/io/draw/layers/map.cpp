@@ -2,19 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
-#include "io/draw/axes/ticks.hpp"
+#include "io/draw/layers/color_bar.hpp"
 #include "io/draw/scene/ramp.hpp"
-#include "io/draw/scene/text_layout.hpp"
-#include "io/draw/scene/theme.hpp"
 
 namespace batten::drawing {
 namespace {
 
 constexpr double narrowest_cell = 4;  ///< pixels
-constexpr double bar_height = 8;
-constexpr double bar_share = 0.62;  ///< of the panel's width; the rest is for its name
 
 /// Nodes that are drawn as one cell, and where it lies.
 struct Block {
@@ -77,10 +72,7 @@ Interval range_of(const MapLayer& map) {
             if (map.values.has(i, j)) found.add(std::span<const double>(&value, 1));
         }
     }
-    const Interval range = found.sides[0];
-    if (map.ramp == Ramp::rising) return range;
-    const double most = std::max(std::fabs(range.lo), std::fabs(range.hi));
-    return {-most, most};
+    return color_range(found.sides[0], map.ramp);
 }
 
 void draw_map(Scene& scene, const MapLayer& map, const Frame& frame) {
@@ -112,38 +104,6 @@ void draw_map(Scene& scene, const MapLayer& map, const Frame& frame) {
         // A rim of its own colour closes the seams between cells.
         scene.add(PathShape{std::move(paths[k]), {color, 0.4, color}});
     }
-}
-
-void draw_bar(Scene& scene, const MapLayer& map, Pixel corner, double width) {
-    const Interval range = range_of(map);
-    const double wide = bar_share * width, step = wide / ramp_classes;
-    for (int k = 0; k < ramp_classes; ++k) {
-        Path box;
-        add_box(box, corner + Pixel{k * step, 0}, corner + Pixel{(k + 1) * step, bar_height});
-        scene.add(PathShape{box, {{}, 1, ramp_color(map.ramp, k)}});
-    }
-    Path rim;
-    add_box(rim, corner, corner + Pixel{wide, bar_height});
-    scene.add(PathShape{rim, {axis_color, 0.8}});
-    const auto write = [&](double x, const std::string& text, Anchor anchor) {
-        scene.add(TextShape{corner + Pixel{x, bar_height + 13}, text, label_size, anchor,
-                            text_color});
-    };
-    write(0, short_number(range.lo), Anchor::start);
-    write(wide, short_number(range.hi), Anchor::end);
-    Path ticks;
-    for (const BarMark& mark : map.marks) {
-        const double length = 0.5 * range.hi - 0.5 * range.lo;
-        if (!(length > 0) || !range.contains(mark.at)) continue;
-        const double x = wide * ((0.5 * mark.at - 0.5 * range.lo) / length);
-        ticks.move_to(corner + Pixel{x, -2});
-        ticks.line_to(corner + Pixel{x, bar_height + 2});
-        write(x, mark.text, Anchor::middle);
-    }
-    scene.add(PathShape{ticks, {ink_color, 1}});
-    scene.add(TextShape{corner + Pixel{wide + 10, bar_height},
-                        shortened(map.bar, label_size, width - wide - 10), label_size,
-                        Anchor::start, text_color});
 }
 
 }  // namespace batten::drawing

@@ -22,9 +22,4 @@ Interval range_of(const MapLayer& map);
 
 void draw_map(Scene& scene, const MapLayer& map, const Frame& frame);
 
-/// The colour bar, its upper left corner at `corner`, with its numbers below; `width` is the
-/// panel's.
-void draw_bar(Scene& scene, const MapLayer& map, Pixel corner, double width);
-inline constexpr double bar_room = 44;  ///< what it needs below a panel
-
 }  // namespace batten::drawing

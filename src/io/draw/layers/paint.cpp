@@ -1,5 +1,6 @@
 #include "io/draw/layers/paint.hpp"
 
+#include "io/draw/layers/colored_dots.hpp"
 #include "io/draw/layers/labels.hpp"
 #include "io/draw/layers/map.hpp"
 #include "io/draw/layers/marks.hpp"
@@ -114,6 +115,7 @@ struct Painter {
     }
 
     void operator()(const MapLayer& layer) { draw_map(scene, layer, frame); }
+    void operator()(const ColoredPointsLayer& layer) { draw_colored_dots(scene, layer, frame); }
     void operator()(const SheetLayer& layer) { draw_sheet(scene, layer, frame); }
 };
 

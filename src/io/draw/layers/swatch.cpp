@@ -73,6 +73,7 @@ struct Swatch {
     void operator()(const TicksLayer&) { strokes(2, tick_paint(tone)); }
     void operator()(const TextLayer&) {}
     void operator()(const MapLayer&) {}
+    void operator()(const ColoredPointsLayer&) {}
     void operator()(const SheetLayer& layer) {
         Path patch;
         patch.move_to(at(0, -5));

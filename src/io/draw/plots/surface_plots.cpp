@@ -108,6 +108,25 @@ std::vector<SheetLine> lines_upon(const Heights& heights, const std::vector<doub
     return lines;
 }
 
+constexpr const char* residual_bar = "residual / σ";
+
+/// Whole standard deviations, two at least.
+Interval residual_range(std::span<const double> residuals) {
+    double most = 2;
+    for (const double e : residuals) most = std::max(most, std::ceil(std::fabs(e)));
+    return {-most, most};
+}
+
+std::vector<BarMark> sigma_marks() { return {{-1, "−σ"}, {1, "σ"}}; }
+
+Points points_of(const PlacedNumbers& numbers) {
+    Points points(0, 2);
+    for (std::size_t i = 0; i < numbers.x.size(); ++i) {
+        points.push_back(std::array{numbers.x[i], numbers.y[i]});
+    }
+    return points;
+}
+
 }  // namespace
 
 Heights sampled(const Surface& surface, std::size_t count) {
@@ -192,11 +211,27 @@ Panel height_map(const Heights& heights, std::string caption) {
 
 Panel residual_map(const Heights& residuals, const std::vector<PolylineLayer>& knots,
                    std::string caption) {
-    double most = 2;
-    for (const double e : residuals.z.view().values()) most = std::max(most, std::ceil(std::fabs(e)));
     Panel panel = map_panel(part_of(residuals), std::move(caption));
-    panel.add(MapLayer{residuals.x, residuals.y, residuals.z, "residual / σ", Ramp::diverging,
-                       Interval{-most, most}, {{-1, "−σ"}, {1, "σ"}}});
+    panel.add(MapLayer{residuals.x, residuals.y, residuals.z, residual_bar, Ramp::diverging,
+                       residual_range(residuals.z.view().values()), sigma_marks()});
+    for (const PolylineLayer& lines : knots) panel.add(lines);
+    return panel;
+}
+
+Panel height_dots(const PlacedNumbers& heights, const std::vector<PolylineLayer>& knots,
+                  const Rectangle& part, std::string caption) {
+    Panel panel = map_panel(part, std::move(caption));
+    panel.add(ColoredPointsLayer{points_of(heights), heights.values, "z"});
+    for (const PolylineLayer& lines : knots) panel.add(lines);
+    return panel;
+}
+
+Panel residual_dots(const PlacedNumbers& residuals, const std::vector<PolylineLayer>& knots,
+                    const Rectangle& part, std::string caption) {
+    Panel panel = map_panel(part, std::move(caption));
+    panel.add(ColoredPointsLayer{points_of(residuals), residuals.values, residual_bar,
+                                 Ramp::diverging, residual_range(residuals.values),
+                                 sigma_marks()});
     for (const PolylineLayer& lines : knots) panel.add(lines);
     return panel;
 }
