@@ -4,14 +4,11 @@
 #include <cmath>
 
 #include "batten/api/operation.hpp"
-#include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
-#include "batten/io/draw/gnuplot.hpp"
-#include "errors.hpp"
 #include "pictures.hpp"
 #include "shared.hpp"
 
-// Pictures of fits, and of filled regions, and what gnuplot is told.
+// Pictures of fits, and of filled regions.
 namespace batten::testing {
 namespace fit_picture_test {
 
@@ -49,42 +46,6 @@ TEST(Region, IsFilledPalelyAndNamedInTheLegend) {
     const std::string text = svg(drawing);
     EXPECT_NE(text.find("opacity=\"0.2\""), std::string::npos);
     EXPECT_NE(text.find(">part<"), std::string::npos);
-}
-
-TEST(Gnuplot, IsToldPanelsDataAndNames) {
-    const std::string script = gnuplot_script(drawn({}), ChartFormat::png);
-    EXPECT_EQ(script.find("set encoding utf8\nset terminal pngcairo"), 0u);
-    EXPECT_NE(script.find("set multiplot layout 2,2"), std::string::npos);
-    for (const char* const words : {"title \"data\"", "title \"fit\"", "title \"95 % band\"",
-                                    "set ylabel \"level\"", "filledcurves", "END_OF_DATA"}) {
-        EXPECT_NE(script.find(words), std::string::npos) << words;
-    }
-    EXPECT_EQ(gnuplot_script(drawn({}), ChartFormat::pdf).find("set encoding utf8\nset terminal pdf"),
-              0u);
-}
-
-TEST(Gnuplot, GetsCaptionsThatCannotLeaveTheirQuotes) {
-    Drawing drawing;
-    drawing.title = "a\"; system \"x\\";
-    drawing.add(PointsLayer{Points({0, 0, 1, 1}, 2), "`x` $y\nz"});
-    const std::string script = gnuplot_script(drawing, ChartFormat::svg);
-    EXPECT_NE(script.find("\"a\\\"; system \\\"x\\\\\""), std::string::npos);
-    EXPECT_NE(script.find("\"\\`x\\` \\$y z\""), std::string::npos);
-}
-
-TEST(Gnuplot, IsNotAskedForWhatItCannotDraw) {
-    const auto code = [](const Layer& layer) {
-        Drawing drawing;
-        drawing.add(layer);
-        return code_of([&] { gnuplot_script(drawing, ChartFormat::png); });
-    };
-    EXPECT_EQ(code(CombLayer{near_circle(1)}), "drawing.gnuplot");
-    EXPECT_EQ(code(ControlPolygonLayer{near_circle(1)}), "drawing.gnuplot");
-    EXPECT_EQ(code(ArrowsLayer{Points({0, 0}, 2), Points({1, 1}, 2)}), "drawing.gnuplot");
-    EXPECT_EQ(code(TextLayer{{0, 0, 1}, "text"}), "drawing.gnuplot");
-    EXPECT_EQ(code(CurveLayer{helix()}), "none");
-    EXPECT_EQ(code(CurveLayer{near_circle(1)}), "none");
-    EXPECT_EQ(code(TicksLayer{near_circle(1), {0}}), "none");
 }
 
 /// Exact data with an error far too large: residuals all near 0.
@@ -259,11 +220,6 @@ TEST(Picture, OfAFitShowsADoubleKnotAsTwoMarks) {
     EXPECT_LT(marks->runs[2](0, 0), 0.5);
     EXPECT_GT(marks->runs[3](0, 0), 0.5);
     EXPECT_NEAR(marks->runs[3](0, 0) - marks->runs[2](0, 0), 0.01, 0.005);
-}
-
-TEST(Gnuplot, KeepsTheLegendAwayFromTheNamesOfTheAxes) {
-    const std::string script = gnuplot_script(drawn({}), ChartFormat::png);
-    EXPECT_NE(script.find("set key tmargin"), std::string::npos);
 }
 
 }  // namespace fit_picture_test

@@ -8,7 +8,6 @@
 
 #include "batten/api/operation.hpp"
 #include "batten/base/text.hpp"
-#include "batten/io/draw/gnuplot.hpp"
 #include "batten/io/draw/surface_plots.hpp"
 #include "batten/make/interpolate.hpp"
 #include "errors.hpp"
@@ -164,18 +163,6 @@ TEST(Picture, OfAFlatPatchSaysSoInPlaceOfAMapOfRounding) {
     const Drawing drawing = find_operation("coons")->run(sides, {}, {}).draw();
     EXPECT_EQ(drawing.panels[1].caption, "Gaussian curvature: 0 everywhere");
     EXPECT_EQ(drawing.panels[2].caption, "mean curvature: 0 everywhere");
-}
-
-TEST(Gnuplot, IsToldReliefsAndMaps) {
-    const std::string script = gnuplot_script(
-        of({relief_plot(hills(5, 5), {}, "relief"), residual_map(hills(5, 5), {}, "map"),
-            level_plot(hills(9, 9), {90}, "levels")}),
-        ChartFormat::png);
-    for (const char* const words : {"splot $d0_0 with pm3d", "set cbrange [-",
-                                    "boxxyerror", "set label \"90\" at ",
-                                    "set cblabel \"residual / σ\""}) {
-        EXPECT_NE(script.find(words), std::string::npos) << words;
-    }
 }
 
 std::string code_of_drawing(const Layer& layer) {
