@@ -8,6 +8,7 @@
 
 #include "api/criterion_panel.hpp"
 #include "api/knot_marks.hpp"
+#include "api/picture_text.hpp"
 #include "batten/base/text.hpp"
 
 namespace batten::api {
@@ -164,14 +165,6 @@ Panel residual_panel(const FitData& data, const Fit& fit) {
     return panel;
 }
 
-/// Rounded, but never to a certainty that it is not.
-std::string probability(double p) {
-    constexpr double nearly = 0.0005;
-    if (p > 1 - nearly && p < 1) return "> 0.999";
-    if (p < nearly) return "< 0.001";
-    return "= " + format_fixed(p, 3);
-}
-
 Panel derivative_panel(const FitData& data, const Fit& fit) {
     Panel panel = chart("derivative", data.x_name, "d" + data.y_name + "/d" + data.x_name);
     const std::vector<Points> runs = traced(fit.spline, 1);
@@ -196,11 +189,11 @@ Panel derivative_panel(const FitData& data, const Fit& fit) {
 }
 
 std::string subtitle(const FitReport& report) {
-    std::string text = std::to_string(report.samples) + " samples, " +
-                       std::to_string(report.intervals) +
-                       (report.intervals == 1 ? " interval, " : " intervals, ") + "δ² = " +
-                       format_fixed(report.delta2, 2);
-    if (report.chi2_p) text += ", χ² p " + probability(*report.chi2_p);
+    std::string text = counted(report.samples, "sample", "samples") + ", " +
+                       counted(static_cast<std::size_t>(report.intervals), "interval",
+                               "intervals") +
+                       ", δ² = " + format_fixed(report.delta2, 2);
+    if (report.chi2_p) text += ", χ² p " + probability_text(*report.chi2_p);
     if (report.sigma_source == SigmaSource::estimated) text += ", σ estimated";
     return text;
 }

@@ -1,7 +1,13 @@
 #include "api/surface_picture.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <string>
+
+#include "api/picture_text.hpp"
+#include "batten/base/text.hpp"
 
 namespace batten::api {
 namespace {
@@ -49,6 +55,21 @@ Panel levels_of(const Surface& surface, const std::vector<double>& levels) {
 
 Panel relief_of(const Heights& heights, const std::vector<double>& levels) {
     return relief_plot(heights, {levels, front_relief_nodes}, "the surface");
+}
+
+std::string sizes(const GridFile& grid, const std::array<int, 2>& strips, int parameters) {
+    const std::size_t nodes = grid.z.nu() * grid.z.nv(), missing = grid.z.missing();
+    std::string text = counted(nodes - missing, "sample", "samples");
+    if (missing > 0) text += " and " + std::to_string(missing) + " missing";
+    return text + ", " + std::to_string(strips[0]) + " × " + std::to_string(strips[1]) +
+           " strips, " +
+           counted(static_cast<std::size_t>(parameters), "coefficient", "coefficients");
+}
+
+std::string misfit(double delta2, std::optional<double> sigma2) {
+    std::string text = ", δ² = " + format_fixed(delta2, 2);
+    if (sigma2) text += ", σ² = " + format_fixed(*sigma2, 3);
+    return text;
 }
 
 Drawing fit_panels(const Surface& surface, const GridFile& grid, double sigma) {
@@ -109,11 +130,23 @@ Drawing contour_picture(const SplineSurface& surface, const std::vector<Contour>
 }
 
 Drawing surface_fit_picture(const SurfaceFit& fit, const GridFile& grid) {
-    return fit_panels(fit.surface, grid, fit.report.sigma.value_or(1));
+    const FitSurfaceReport& report = fit.report;
+    Drawing drawing = fit_panels(fit.surface, grid, report.sigma.value_or(1));
+    drawing.title = "Least-squares spline surface";
+    drawing.subtitle = sizes(grid, report.intervals, report.parameters) +
+                       misfit(report.delta2, report.sigma2);
+    if (report.chi2_p) drawing.subtitle += ", χ² p " + probability_text(*report.chi2_p);
+    if (report.sigma_source == SigmaSource::estimated) drawing.subtitle += ", σ estimated";
+    return drawing;
 }
 
-Drawing curved_fit_picture(const CurvedKnotSurface& surface, const GridFile& grid, double sigma) {
-    return fit_panels(surface, grid, sigma);
+Drawing curved_fit_picture(const CurvedKnotSurface& surface, const FrontReport& report,
+                           const GridFile& grid, double sigma) {
+    Drawing drawing = fit_panels(surface, grid, sigma);
+    drawing.title = "Least-squares spline surface with curved knot lines";
+    drawing.subtitle = sizes(grid, report.intervals, report.parameters) +
+                       misfit(report.delta2, report.sigma2);
+    return drawing;
 }
 
 }  // namespace batten::api

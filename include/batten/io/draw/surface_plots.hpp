@@ -21,7 +21,7 @@ struct Heights {
 /// A surface at `count` x `count` places evenly over its domain.
 Heights sampled(const Surface& surface, std::size_t count);
 
-/// The knot lines of a surface: straight ones dotted grey, curved ones in red.
+/// The knot lines of a surface: straight ones dotted, curved ones in red.
 std::vector<PolylineLayer> knot_lines(const Surface& surface);
 
 /// An empty panel for a map of `part`.

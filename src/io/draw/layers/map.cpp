@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <string_view>
 
 #include "io/draw/axes/ticks.hpp"
 #include "io/draw/scene/ramp.hpp"
@@ -14,6 +16,9 @@ namespace {
 
 constexpr double narrowest_cell = 4;  ///< pixels
 constexpr double bar_height = 8;
+constexpr double hatch_step = 7;   ///< between lines, along the edge of a box
+constexpr std::string_view hatch_ground = "#f1f2f4";
+constexpr std::string_view hatch_color = "#8a96a3";
 constexpr double bar_share = 0.62;  ///< of the panel's width; the rest is for its name
 
 /// Nodes that are drawn as one cell, and where it lies.
@@ -47,9 +52,9 @@ void add_box(Path& path, Pixel a, Pixel b) {
     path.close();
 }
 
-}  // namespace
-
-std::vector<MapCell> cells_of(const MapLayer& map, std::size_t most_x, std::size_t most_y) {
+/// The cells with numbers, or those without.
+std::vector<MapCell> cells_that(bool have_numbers, const MapLayer& map, std::size_t most_x,
+                                std::size_t most_y) {
     std::vector<MapCell> cells;
     const std::vector<Block> columns = blocks_of(map.x, most_x);
     for (const Block& row : blocks_of(map.y, most_y)) {
@@ -62,10 +67,55 @@ std::vector<MapCell> cells_of(const MapLayer& map, std::size_t most_x, std::size
                     mean += (map.values(i, j) - mean) / count;
                 }
             }
-            if (count > 0) cells.push_back({column.part, row.part, mean});
+            if ((count > 0) == have_numbers) cells.push_back({column.part, row.part, mean});
         }
     }
     return cells;
+}
+
+Rect box_between(Pixel a, Pixel b) {
+    return {std::min(a.x, b.x), std::min(a.y, b.y), std::fabs(b.x - a.x), std::fabs(b.y - a.y)};
+}
+
+/// Marks of a bar whose texts have room between one another and both ends.
+bool have_room(const MapLayer& map, double wide, const std::function<double(double)>& place) {
+    constexpr double air = 8;
+    double taken = text_width(short_number(range_of(map).lo), label_size);
+    for (const BarMark& mark : map.marks) {
+        const double half = 0.5 * text_width(mark.text, label_size), x = place(mark.at);
+        if (x - half < taken + air) return false;
+        taken = x + half;
+    }
+    return taken + air + text_width(short_number(range_of(map).hi), label_size) < wide;
+}
+
+}  // namespace
+
+std::vector<MapCell> cells_of(const MapLayer& map, std::size_t most_x, std::size_t most_y) {
+    return cells_that(true, map, most_x, most_y);
+}
+
+std::vector<MapCell> gaps_of(const MapLayer& map, std::size_t most_x, std::size_t most_y) {
+    if (map.values.missing() == 0) return {};
+    return cells_that(false, map, most_x, most_y);
+}
+
+void draw_hatching(Scene& scene, const std::vector<Rect>& boxes) {
+    Path ground, lines;
+    for (const Rect& box : boxes) {
+        const double right = box.right(), bottom = box.bottom();
+        add_box(ground, {box.left, box.top}, {right, bottom});
+        // Lines x + y = k steps.
+        for (double k = std::ceil((box.left + box.top) / hatch_step);
+             k * hatch_step < right + bottom; k += 1) {
+            const double sum = k * hatch_step;
+            const double from = std::max(box.left, sum - bottom), to = std::min(right, sum - box.top);
+            lines.move_to({from, sum - from});
+            lines.line_to({to, sum - to});
+        }
+    }
+    scene.add(PathShape{std::move(ground), {hatch_ground, 0.4, hatch_ground}});
+    scene.add(PathShape{std::move(lines), {hatch_color, 0.7}});
 }
 
 Interval range_of(const MapLayer& map) {
@@ -87,6 +137,13 @@ void draw_map(Scene& scene, const MapLayer& map, const Frame& frame) {
     const auto most = [](double pixels) {
         return static_cast<std::size_t>(std::max(1.0, pixels / narrowest_cell));
     };
+    const std::size_t most_x = most(frame.area.width), most_y = most(frame.area.height);
+    std::vector<Rect> gaps;
+    for (const MapCell& cell : gaps_of(map, most_x, most_y)) {
+        gaps.push_back(box_between(frame.at(std::array{cell.x.lo, cell.y.lo}),
+                                   frame.at(std::array{cell.x.hi, cell.y.hi})));
+    }
+    if (!gaps.empty()) draw_hatching(scene, gaps);
     const Interval range = range_of(map);
     std::array<Path, ramp_classes> paths;
     std::array<MapCell, ramp_classes> runs;  // the last cell of each class, grown along its row
@@ -95,7 +152,7 @@ void draw_map(Scene& scene, const MapLayer& map, const Frame& frame) {
         const std::array<double, 2> low{runs[k].x.lo, runs[k].y.lo}, high{runs[k].x.hi, runs[k].y.hi};
         if (has_run[k]) add_box(paths[k], frame.at(low), frame.at(high));
     };
-    for (const MapCell& cell : cells_of(map, most(frame.area.width), most(frame.area.height))) {
+    for (const MapCell& cell : cells_of(map, most_x, most_y)) {
         const std::size_t k =
             static_cast<std::size_t>(class_of(cell.value, range, ramp_classes));
         if (has_run[k] && runs[k].x.hi == cell.x.lo && runs[k].y == cell.y) {
@@ -132,10 +189,12 @@ void draw_bar(Scene& scene, const MapLayer& map, Pixel corner, double width) {
     write(0, short_number(range.lo), Anchor::start);
     write(wide, short_number(range.hi), Anchor::end);
     Path ticks;
+    const double length = 0.5 * range.hi - 0.5 * range.lo;
+    const auto place = [&](double at) { return wide * ((0.5 * at - 0.5 * range.lo) / length); };
+    const bool has_marks = length > 0 && have_room(map, wide, place);
     for (const BarMark& mark : map.marks) {
-        const double length = 0.5 * range.hi - 0.5 * range.lo;
-        if (!(length > 0) || !range.contains(mark.at)) continue;
-        const double x = wide * ((0.5 * mark.at - 0.5 * range.lo) / length);
+        if (!has_marks || !range.contains(mark.at)) continue;
+        const double x = place(mark.at);
         ticks.move_to(corner + Pixel{x, -2});
         ticks.line_to(corner + Pixel{x, bar_height + 2});
         write(x, mark.text, Anchor::middle);
