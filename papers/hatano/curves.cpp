@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "api/knot_marks.hpp"
 #include "batten/batten.hpp"
 #include "noise.hpp"
 
@@ -159,23 +160,27 @@ PolylineLayer traced(const SplineFunction& s, int derivative) {
     return {{line}, {}, {Tone::ink, Dash::solid, 1.4}};
 }
 
-Panel chart(const std::string& caption) {
+Panel chart(const std::string& caption, const std::string& y_label) {
     Panel panel;
     panel.kind = PanelKind::chart;
     panel.caption = caption;
+    panel.x_label = "x";
+    panel.y_label = y_label;
     return panel;
 }
 
 /// Marks at the knots along the lower and upper edge, as in the paper.
-void add_ticks(Panel& panel, const SplineFunction& s, const std::vector<double>& values) {
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    const double lo = *least, hi = *most, tick = 0.04 * (hi - lo);
-    PolylineLayer ticks{{}, "knots", {Tone::blue, Dash::solid, 1.2}};
-    for (const double x : s.breaks()) {
-        ticks.runs.emplace_back(std::vector<double>{x, lo - 2 * tick, x, lo - tick}, 2);
-        ticks.runs.emplace_back(std::vector<double>{x, hi + tick, x, hi + 2 * tick}, 2);
-    }
-    panel.add(std::move(ticks));
+void add_marks(Panel& panel, const SplineFunction& s, const std::vector<double>& values) {
+    api::add_knot_marks(panel, s, api::extent_of(values), api::KnotEdges::both);
+}
+
+/// One standard deviation on both sides of 0.
+RegionsLayer error_band(const Data& data) {
+    Points outline(0, 2);
+    const std::size_t n = data.x.size();
+    for (std::size_t i = 0; i < n; ++i) outline.push_back(std::array{data.x[i], data.sigma[i]});
+    for (std::size_t i = n; i-- > 0;) outline.push_back(std::array{data.x[i], -data.sigma[i]});
+    return {{outline}, "±σ", Tone::blue};
 }
 
 PointsLayer dots(const Data& data, const std::vector<double>& values) {
@@ -202,16 +207,16 @@ Drawing drawn(const Figure& figure, const Data& data, const Fit& fit) {
                        format_fixed(fit.report.aic, 1);
     drawing.columns = 2;
     drawing.width = 900;
-    drawing.panels = {chart("a: residuals"), chart("b: dS/dx"), chart("a: data and S"),
-                      chart("b: S")};
-    drawing.panels[0].add(dots(data, residuals));
-    add_ticks(drawing.panels[0], s, residuals);
+    drawing.panels = {chart("a: residuals", "f − S"), chart("b: dS/dx", "dS/dx"),
+                      chart("a: data and S", "f"), chart("b: S", "S")};
+    drawing.panels[0].add(error_band(data)).add(dots(data, residuals));
+    add_marks(drawing.panels[0], s, residuals);
     drawing.panels[1].add(traced(s, 1));
-    add_ticks(drawing.panels[1], s, slopes);
+    add_marks(drawing.panels[1], s, slopes);
     drawing.panels[2].add(dots(data, data.f)).add(traced(s, 0));
-    add_ticks(drawing.panels[2], s, data.f);
+    add_marks(drawing.panels[2], s, data.f);
     drawing.panels[3].add(traced(s, 0));
-    add_ticks(drawing.panels[3], s, values);
+    add_marks(drawing.panels[3], s, values);
     return drawing;
 }
 

@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 
+#include "api/criterion_panel.hpp"
+#include "api/knot_marks.hpp"
+#include "api/picture_text.hpp"
 #include "batten/base/text.hpp"
 
 namespace batten::api {
@@ -12,8 +16,10 @@ namespace {
 
 constexpr int samples_a_piece = 24;
 constexpr std::size_t most_error_bars = 300;  // more are a grey band of their own
-constexpr double tick_share = 0.035;          // height of a knot's tick in its panel
 constexpr double seen_share = 0.015;          // of the panel: shorter bars hide behind their dots
+// How far bars and bands are shown beyond data and fit, in heights of these.
+constexpr double bar_room = 0.5;
+constexpr double band_room = 0.3;
 constexpr std::size_t most_curve_ticks = 120;  // more would paint the curve
 
 Panel chart(std::string caption, const std::string& x_label, std::string y_label) {
@@ -46,22 +52,6 @@ std::vector<Points> traced(const SplineFunction& spline, int derivative) {
     return runs;
 }
 
-Interval range_of(std::span<const double> values) {
-    const auto [lo, hi] = std::minmax_element(values.begin(), values.end());
-    return {*lo, *hi};
-}
-
-/// Short marks at the knots along the bottom of a chart whose data cover `y`.
-PolylineLayer knot_ticks(std::span<const double> breaks, Interval y) {
-    const double length = y.hi > y.lo ? y.hi - y.lo : 1;
-    const double foot = y.lo - 2 * tick_share * length;
-    PolylineLayer ticks{{}, "knots", {Tone::blue, Dash::solid, 1.3}};
-    for (const double x : breaks) {
-        ticks.runs.emplace_back(std::vector<double>{x, foot, x, foot + tick_share * length}, 2);
-    }
-    return ticks;
-}
-
 Points outline(std::span<const double> x, std::span<const double> lower,
                std::span<const double> upper) {
     Points points(0, 2);
@@ -92,28 +82,64 @@ void add_dots(Panel& panel, const FitData& data,
     }
 }
 
+/// Error bars where they can be seen; what they cover is added to `covered`.
+void add_bars(Panel& panel, const FitData& data, Interval& covered) {
+    const std::span<const double> sigma = data.sigma;
+    const double tallest = *std::max_element(sigma.begin(), sigma.end());
+    if (data.x.size() > most_error_bars || tallest <= seen_share * covered.length()) return;
+    PolylineLayer bars{{}, "errors ±σ", {Tone::grey, Dash::solid, 0.9}};
+    for (std::size_t i = 0; i < data.x.size(); ++i) {
+        const double lo = data.y[i] - data.sigma[i], hi = data.y[i] + data.sigma[i];
+        if (!std::isfinite(hi - lo)) continue;
+        bars.runs.emplace_back(std::vector<double>{data.x[i], lo, data.x[i], hi}, 2);
+        covered = {std::min(covered.lo, lo), std::max(covered.hi, hi)};
+    }
+    if (!bars.runs.empty()) panel.add(std::move(bars));
+}
+
+/// A spline's or a derivative's extent.
+Interval extent_of_runs(const std::vector<Points>& runs) {
+    Interval extent{runs.front()(0, 1), runs.front()(0, 1)};
+    for (const Points& run : runs) {
+        for (std::size_t i = 0; i < run.size(); ++i) {
+            extent = {std::min(extent.lo, run(i, 1)), std::max(extent.hi, run(i, 1))};
+        }
+    }
+    return extent;
+}
+
+double median(std::span<const double> values) {
+    std::vector<double> sorted(values.begin(), values.end());
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    return *middle;
+}
+
+/// What is shown of a band: as wide as it is in the middle of its widths, and little of where it is
+/// wider; between knots that are barely determined it may be a hundred times so.
+Interval with_band(Interval covered, std::span<const double> lower, std::span<const double> upper) {
+    covered = {std::min(covered.lo, median(lower)), std::max(covered.hi, median(upper))};
+    return widened(covered, {extent_of(lower).lo, extent_of(upper).hi}, band_room);
+}
+
 Panel data_panel(const FitData& data, const Fit& fit) {
     Panel panel = chart("data and fit", data.x_name, data.y_name);
     const FitBand& band = fit.report.covariance_band;
-    const Interval level = range_of(data.y);
-    const std::span<const double> sigma = data.sigma, y = data.y;
-    const double tallest = *std::max_element(sigma.begin(), sigma.end());
-    if (data.x.size() <= most_error_bars && tallest > seen_share * level.length()) {
-        PolylineLayer bars{{}, "errors ±σ", {Tone::grey, Dash::solid, 0.9}};
-        for (std::size_t i = 0; i < data.x.size(); ++i) {
-            const double lo = data.y[i] - data.sigma[i], hi = data.y[i] + data.sigma[i];
-            if (!std::isfinite(hi - lo)) continue;
-            bars.runs.emplace_back(std::vector<double>{data.x[i], lo, data.x[i], hi}, 2);
-        }
-        if (!bars.runs.empty()) panel.add(std::move(bars));
-    }
+    const std::span<const double> y = data.y;
+    std::vector<Points> runs = traced(fit.spline, 0);
+    const Interval level = extent_of(y), fitted = extent_of_runs(runs);
+    Interval covered = level;
+    add_bars(panel, data, covered);
+    covered = widened(level, covered, bar_room);
+    covered = {std::min(covered.lo, fitted.lo), std::max(covered.hi, fitted.hi)};
     add_dots(panel, data, {y.begin(), y.end()}, fit.report.rejected);
     if (!band.x.empty()) {
         panel.add(RegionsLayer{{outline(band.x, band.lower, band.upper)}, "95 % band",
                                Tone::accent});
+        covered = with_band(covered, band.lower, band.upper);
     }
-    panel.add(PolylineLayer{traced(fit.spline, 0), "fit", {Tone::accent, Dash::solid, 1.8}});
-    panel.add(knot_ticks(fit.spline.breaks(), range_of(data.y)));
+    panel.add(PolylineLayer{std::move(runs), "fit", {Tone::accent, Dash::solid, 1.8}});
+    add_knot_marks(panel, fit.spline, widened(covered, covered, 0));
     return panel;
 }
 
@@ -135,80 +161,15 @@ Panel residual_panel(const FitData& data, const Fit& fit) {
     panel.add(PolylineLayer{{level(0)}, {}, {Tone::ink, Dash::solid, 0.8}});
     add_dots(panel, data, e, fit.report.rejected);
     // The band of one sigma is a part of the panel, whatever the residuals.
-    y = {std::min(1.08 * y.lo, -2.2), std::max(1.08 * y.hi, 2.2)};
-    panel.add(knot_ticks(fit.spline.breaks(), y));
-    panel.y_range = Interval{y.lo - 3 * tick_share * y.length(), y.hi};
-    return panel;
-}
-
-/// Air around counts; so wide that the numbers along the axis are whole.
-Interval whole_range(double first, double last) {
-    constexpr double narrowest = 6, air = 0.04;
-    const double lo = std::min(first, last), hi = std::max(first, last);
-    const double half = std::max(0.5 * narrowest, (0.5 + air) * (hi - lo));
-    return {0.5 * (lo + hi) - half, 0.5 * (lo + hi) + half};
-}
-
-/// Rounded, but never to a certainty that it is not.
-std::string probability(double p) {
-    constexpr double nearly = 0.0005;
-    if (p > 1 - nearly && p < 1) return "> 0.999";
-    if (p < nearly && p > 0) return "< 0.001";
-    return "= " + format_fixed(p, 3);
-}
-
-Panel criterion_panel(const FitReport& report, const FitOptions& options) {
-    const StopRule rule = options.stop;
-    const std::string name(is_criterion(rule) ? name_of(rule) : name_of(StopRule::bic));
-    const bool is_shaped = options.monotone != Direction::free || options.convex != Direction::free;
-    Panel panel = chart(options.knots == KnotPlacement::pruned ? "criterion, before knots are pruned"
-                        : is_shaped ? "criterion, without the shape asked for"
-                                    : "criterion",
-                        "intervals", name);
-    // Knots that are pruned afterwards are not on the path.
-    const bool is_on_path = options.knots != KnotPlacement::pruned;
-    Points line(0, 2), chosen(0, 2);
-    std::vector<double> values;
-    double least = criterion_of(report.path.front(), rule);
-    for (const FitStep& step : report.path) {
-        const std::array<double, 2> here{static_cast<double>(step.intervals),
-                                         criterion_of(step, rule)};
-        line.push_back(here);
-        values.push_back(here[1]);
-        least = std::min(least, here[1]);
-        if (is_on_path && step.intervals == report.intervals) chosen.push_back(here);
-    }
-    // The first steps are far worse than any other and would flatten the rest.
-    if (line.size() > 3) {
-        // Half of the steps are shown, though, and the one chosen.
-        const double last = line(line.size() - 1, 1);
-        std::sort(values.begin(), values.end());
-        double shown = std::max(last, values[values.size() / 2]);
-        if (!chosen.empty()) shown = std::max(shown, chosen(0, 1));
-        const double top = least + 1.4 * std::max(shown - least, 0.02 * std::fabs(least));
-        const double first = line(0, 1);
-        if (top < first && last < top) {
-            const double air = 0.08 * (top - least);
-            panel.y_range = Interval{least - air, top};
-        }
-    }
-    panel.x_range = whole_range(line(0, 0), line(line.size() - 1, 0));
-    panel.add(PolylineLayer{{line}, {}, {Tone::grey, Dash::solid, 1.2}});
-    panel.add(PointsLayer{line, {}, Marker::open, {}, PointLabels::none, Tone::ink});
-    if (!chosen.empty()) {
-        panel.add(PointsLayer{chosen, "chosen", Marker::closed, {}, PointLabels::none,
-                              Tone::accent});
-    }
+    add_knot_marks(panel, fit.spline, {std::min(y.lo, -2.1), std::max(y.hi, 2.1)});
     return panel;
 }
 
 Panel derivative_panel(const FitData& data, const Fit& fit) {
     Panel panel = chart("derivative", data.x_name, "d" + data.y_name + "/d" + data.x_name);
     const std::vector<Points> runs = traced(fit.spline, 1);
-    std::vector<double> lower, upper, x, values;
-    for (const Points& run : runs) {
-        for (std::size_t i = 0; i < run.size(); ++i) values.push_back(run(i, 1));
-    }
+    std::vector<double> lower, upper, x;
+    Interval covered = extent_of_runs(runs);
     if (fit.report.undetermined.empty() && fit.spline.degree() > 1) {
         const double factor = fit.covariance.factor_95();
         const Interval domain = fit.spline.domain();
@@ -220,18 +181,19 @@ Panel derivative_panel(const FitData& data, const Fit& fit) {
             upper.push_back(fit.spline(at, 1) + half);
         }
         panel.add(RegionsLayer{{outline(x, lower, upper)}, "95 % band", Tone::accent});
+        covered = with_band(covered, lower, upper);
     }
     panel.add(PolylineLayer{runs, "fit", {Tone::accent, Dash::solid, 1.8}});
-    panel.add(knot_ticks(fit.spline.breaks(), range_of(values)));
+    add_knot_marks(panel, fit.spline, widened(covered, covered, 0));
     return panel;
 }
 
 std::string subtitle(const FitReport& report) {
-    std::string text = std::to_string(report.samples) + " samples, " +
-                       std::to_string(report.intervals) +
-                       (report.intervals == 1 ? " interval, " : " intervals, ") + "δ² = " +
-                       format_fixed(report.delta2, 2);
-    if (report.chi2_p) text += ", χ² p " + probability(*report.chi2_p);
+    std::string text = counted(report.samples, "sample", "samples") + ", " +
+                       counted(static_cast<std::size_t>(report.intervals), "interval",
+                               "intervals") +
+                       ", δ² = " + format_fixed(report.delta2, 2);
+    if (report.chi2_p) text += ", χ² p " + probability_text(*report.chi2_p);
     if (report.sigma_source == SigmaSource::estimated) text += ", σ estimated";
     return text;
 }

@@ -56,7 +56,9 @@ Outcome curved_outcome(const CurvedKnotSurface& surface, const FrontReport& repo
     // Where no error is known, that of the fit is its own mean.
     const double error = sigma.value_or(std::sqrt(report.sigma2));
     return {Surface(surface), report.status, {}, report_value(report),
-            [surface, grid, error] { return curved_fit_picture(surface, grid, error); },
+            [surface, report, grid, error] {
+                return curved_fit_picture(surface, report, grid, error);
+            },
             surface_forms(Surface(surface), grid.x, grid.y)};
 }
 

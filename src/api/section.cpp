@@ -1,7 +1,9 @@
 #include <concepts>
 #include <optional>
 
+#include "api/knot_marks.hpp"
 #include "api/row.hpp"
+#include "batten/base/text.hpp"
 #include "batten/shape/spline_function.hpp"
 
 namespace batten::api {
@@ -29,6 +31,28 @@ void visit_fields(const SectionReport& r, Visit&& visit) {
     visit("breaks", r.breaks, "where pieces of the curve meet");
 }
 
+Drawing section_picture(const SplineFunction& cut, const Curve& curve,
+                        const SectionOptions& options) {
+    const std::string line =
+        options.x ? "x = " + format_number(*options.x) : "y = " + format_number(*options.y);
+    std::vector<double> heights;
+    const Interval domain = cut.domain();
+    constexpr int places = 1000;
+    for (int i = 0; i <= places; ++i) {
+        heights.push_back(cut(domain.clamp(domain.lo + domain.length() * (i / double{places}))));
+    }
+    const Interval extent = extent_of(heights);
+    Drawing drawing;
+    drawing.title = "Section of the surface at " + line;
+    Panel& panel = drawing.panels.front();
+    panel.kind = PanelKind::chart;
+    panel.x_label = options.x ? "y" : "x";
+    panel.y_label = "z";
+    panel.add(CurveLayer{curve, {}, {}});
+    add_knot_marks(panel, cut, widened(extent, extent, 0));
+    return drawing;
+}
+
 Outcome run(std::span<const Input> inputs, const SectionOptions& options) {
     const SplineSurface& surface = product_input(inputs);
     if (options.x.has_value() == options.y.has_value()) {
@@ -40,10 +64,8 @@ Outcome run(std::span<const Input> inputs, const SectionOptions& options) {
     const Curve curve = graph(cut.degree() == 0 ? elevate_degree(cut) : cut);
     const SectionReport report{options.x ? "z(y)" : "z(x)",
                                {cut.breaks().begin(), cut.breaks().end()}};
-    return {curve, Status::met, {}, report_value(report), [curve] {
-                Drawing drawing;
-                drawing.add(CurveLayer{curve, {}, {}});
-                return drawing;
+    return {curve, Status::met, {}, report_value(report), [cut, curve, options] {
+                return section_picture(cut, curve, options);
             }};
 }
 

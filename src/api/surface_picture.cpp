@@ -1,7 +1,13 @@
 #include "api/surface_picture.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <string>
+
+#include "api/picture_text.hpp"
+#include "batten/base/text.hpp"
 
 namespace batten::api {
 namespace {
@@ -49,6 +55,26 @@ Panel levels_of(const Surface& surface, const std::vector<double>& levels) {
 
 Panel relief_of(const Heights& heights, const std::vector<double>& levels) {
     return relief_plot(heights, {levels, front_relief_nodes}, "the surface");
+}
+
+std::string sizes(std::size_t samples, std::size_t missing, const std::array<int, 2>& strips,
+                  int parameters) {
+    std::string text = counted(samples, "sample", "samples");
+    if (missing > 0) text += " and " + std::to_string(missing) + " missing";
+    return text + ", " + std::to_string(strips[0]) + " × " + std::to_string(strips[1]) +
+           " strips, " +
+           counted(static_cast<std::size_t>(parameters), "coefficient", "coefficients");
+}
+
+std::string sizes(const GridFile& grid, const std::array<int, 2>& strips, int parameters) {
+    const std::size_t missing = grid.z.missing();
+    return sizes(grid.z.nu() * grid.z.nv() - missing, missing, strips, parameters);
+}
+
+std::string misfit(double delta2, std::optional<double> sigma2) {
+    std::string text = ", δ² = " + format_fixed(delta2, 2);
+    if (sigma2) text += ", σ² = " + format_fixed(*sigma2, 3);
+    return text;
 }
 
 Drawing fit_panels(const Surface& surface, const GridFile& grid, double sigma) {
@@ -109,7 +135,14 @@ Drawing contour_picture(const SplineSurface& surface, const std::vector<Contour>
 }
 
 Drawing surface_fit_picture(const SurfaceFit& fit, const GridFile& grid) {
-    return fit_panels(fit.surface, grid, fit.report.sigma.value_or(1));
+    const FitSurfaceReport& report = fit.report;
+    Drawing drawing = fit_panels(fit.surface, grid, report.sigma.value_or(1));
+    drawing.title = "Least-squares spline surface";
+    drawing.subtitle = sizes(grid, report.intervals, report.parameters) +
+                       misfit(report.delta2, report.sigma2);
+    if (report.chi2_p) drawing.subtitle += ", χ² p " + probability_text(*report.chi2_p);
+    if (report.sigma_source == SigmaSource::estimated) drawing.subtitle += ", σ estimated";
+    return drawing;
 }
 
 Drawing scattered_fit_picture(const SurfaceFit& fit, const ScatteredSamples& samples) {
@@ -130,6 +163,9 @@ Drawing scattered_fit_picture(const SurfaceFit& fit, const ScatteredSamples& sam
     const Heights relief = seen(surface);
     const std::vector<double> levels = levels_in(relief, usual_levels);
     Drawing drawing;
+    drawing.title = "Least-squares spline surface through scattered points";
+    drawing.subtitle = sizes(samples.x.size(), 0, fit.report.intervals, fit.report.parameters) +
+                       misfit(fit.report.delta2, fit.report.sigma2);
     drawing.width = picture_width;
     drawing.columns = 2;
     drawing.panels = {height_dots(heights, knots, domain, "data and knot lines"),
@@ -139,8 +175,13 @@ Drawing scattered_fit_picture(const SurfaceFit& fit, const ScatteredSamples& sam
     return drawing;
 }
 
-Drawing curved_fit_picture(const CurvedKnotSurface& surface, const GridFile& grid, double sigma) {
-    return fit_panels(surface, grid, sigma);
+Drawing curved_fit_picture(const CurvedKnotSurface& surface, const FrontReport& report,
+                           const GridFile& grid, double sigma) {
+    Drawing drawing = fit_panels(surface, grid, sigma);
+    drawing.title = "Least-squares spline surface with curved knot lines";
+    drawing.subtitle = sizes(grid, report.intervals, report.parameters) +
+                       misfit(report.delta2, report.sigma2);
+    return drawing;
 }
 
 }  // namespace batten::api

@@ -20,9 +20,10 @@ Drawing surface_picture(const Surface& surface, int levels);
 Drawing contour_map(const Rectangle& domain, const std::vector<Contour>& lines);
 Drawing contour_picture(const SplineSurface& surface, const std::vector<Contour>& lines);
 
-/// Four panels: the data under the knot lines, level lines, the surface in space, residuals.
+/// Four panels under a title and what the fit came to: the data under the knot lines, level lines, the surface in space, residuals.
 Drawing surface_fit_picture(const SurfaceFit& fit, const GridFile& grid);
 Drawing scattered_fit_picture(const SurfaceFit& fit, const ScatteredSamples& samples);
-Drawing curved_fit_picture(const CurvedKnotSurface& surface, const GridFile& grid, double sigma);
+Drawing curved_fit_picture(const CurvedKnotSurface& surface, const FrontReport& report,
+                           const GridFile& grid, double sigma);
 
 }  // namespace batten::api

@@ -1,16 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "batten/api/operation.hpp"
-#include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
-#include "batten/io/draw/gnuplot.hpp"
-#include "errors.hpp"
 #include "pictures.hpp"
 #include "shared.hpp"
 
-// Pictures of fits, and of filled regions, and what gnuplot is told.
+// Pictures of fits, and of filled regions.
 namespace batten::testing {
 namespace fit_picture_test {
 
@@ -48,42 +46,6 @@ TEST(Region, IsFilledPalelyAndNamedInTheLegend) {
     const std::string text = svg(drawing);
     EXPECT_NE(text.find("opacity=\"0.2\""), std::string::npos);
     EXPECT_NE(text.find(">part<"), std::string::npos);
-}
-
-TEST(Gnuplot, IsToldPanelsDataAndNames) {
-    const std::string script = gnuplot_script(drawn({}), ChartFormat::png);
-    EXPECT_EQ(script.find("set encoding utf8\nset terminal pngcairo"), 0u);
-    EXPECT_NE(script.find("set multiplot layout 2,2"), std::string::npos);
-    for (const char* const words : {"title \"data\"", "title \"fit\"", "title \"95 % band\"",
-                                    "set ylabel \"level\"", "filledcurves", "END_OF_DATA"}) {
-        EXPECT_NE(script.find(words), std::string::npos) << words;
-    }
-    EXPECT_EQ(gnuplot_script(drawn({}), ChartFormat::pdf).find("set encoding utf8\nset terminal pdf"),
-              0u);
-}
-
-TEST(Gnuplot, GetsCaptionsThatCannotLeaveTheirQuotes) {
-    Drawing drawing;
-    drawing.title = "a\"; system \"x\\";
-    drawing.add(PointsLayer{Points({0, 0, 1, 1}, 2), "`x` $y\nz"});
-    const std::string script = gnuplot_script(drawing, ChartFormat::svg);
-    EXPECT_NE(script.find("\"a\\\"; system \\\"x\\\\\""), std::string::npos);
-    EXPECT_NE(script.find("\"\\`x\\` \\$y z\""), std::string::npos);
-}
-
-TEST(Gnuplot, IsNotAskedForWhatItCannotDraw) {
-    const auto code = [](const Layer& layer) {
-        Drawing drawing;
-        drawing.add(layer);
-        return code_of([&] { gnuplot_script(drawing, ChartFormat::png); });
-    };
-    EXPECT_EQ(code(CombLayer{near_circle(1)}), "drawing.gnuplot");
-    EXPECT_EQ(code(ControlPolygonLayer{near_circle(1)}), "drawing.gnuplot");
-    EXPECT_EQ(code(ArrowsLayer{Points({0, 0}, 2), Points({1, 1}, 2)}), "drawing.gnuplot");
-    EXPECT_EQ(code(TextLayer{{0, 0, 1}, "text"}), "drawing.gnuplot");
-    EXPECT_EQ(code(CurveLayer{helix()}), "none");
-    EXPECT_EQ(code(CurveLayer{near_circle(1)}), "none");
-    EXPECT_EQ(code(TicksLayer{near_circle(1), {0}}), "none");
 }
 
 /// Exact data with an error far too large: residuals all near 0.
@@ -151,9 +113,113 @@ TEST(Picture, OfTheCriterionShowsHalfOfTheStepsAndTheOneChosen) {
               std::string::npos);
 }
 
-TEST(Gnuplot, KeepsTheLegendAwayFromTheNamesOfTheAxes) {
-    const std::string script = gnuplot_script(drawn({}), ChartFormat::png);
-    EXPECT_NE(script.find("set key tmargin"), std::string::npos);
+/// A sine with few samples and large errors: the band of its slope is ten times as wide as the
+/// slope where alternatives with many knots are barely determined.
+constexpr const char* noisy_sine = R"(time,level,sigma
+0.55,0.75,0.55
+0.92,0.68,0.41
+1.05,0.51,0.51
+1.07,1.19,0.35
+1.50,0.95,0.45
+1.87,0.75,0.27
+1.88,0.90,0.36
+2.02,0.71,0.21
+2.62,0.53,0.15
+2.75,0.52,0.12
+2.98,-0.22,0.45
+3.18,0.43,0.33
+3.46,-0.68,0.55
+3.92,-0.62,0.52
+4.07,-1.04,0.29
+4.23,-1.02,0.59
+4.33,-0.91,0.40
+4.38,-1.16,0.48
+4.71,-1.21,0.30
+5.11,-1.06,0.20
+5.17,-1.05,0.19
+5.62,-0.91,0.19
+5.93,-0.45,0.40
+6.00,-0.22,0.16
+6.33,0.15,0.11
+6.44,0.49,0.52
+6.57,0.65,0.15
+6.69,0.50,0.33
+6.80,0.34,0.34
+6.83,1.29,0.41
+6.94,0.24,0.35
+7.29,1.39,0.57
+7.76,0.54,0.48
+8.14,1.10,0.39
+8.49,-0.00,0.41
+8.62,1.04,0.35
+8.84,0.46,0.58
+8.91,0.28,0.21
+9.24,0.93,0.44
+9.67,0.04,0.38)";
+
+Drawing drawn_noisily() {
+    const Input input{"noisy.csv", PointsInput{parse_table({"noisy.csv", noisy_sine}), {}}};
+    return find_operation("fit")->run({&input, 1}, {{"x", "time"}, {"y", "level"}}, {}).draw();
+}
+
+const PolylineLayer* knots_of(const Panel& panel) {
+    for (const Layer& layer : panel.layers) {
+        const auto* lines = std::get_if<PolylineLayer>(&layer);
+        if (lines && lines->name == "knots") return lines;
+    }
+    return nullptr;
+}
+
+TEST(Picture, OfAFitMarksKnotsAlikeInEveryPanelBelowWhatItShows) {
+    const Drawing noisy = drawn_noisily(), other = drawn({});
+    for (const Drawing& drawing : {noisy, other}) {
+        for (const Panel& panel : drawing.panels) {
+            const PolylineLayer* knots = knots_of(panel);
+            if (!knots) continue;
+            ASSERT_TRUE(panel.y_range);
+            const Points& mark = knots->runs.front();
+            EXPECT_GT(mark(0, 1), panel.y_range->lo) << panel.caption;
+            const double share = (mark(1, 1) - mark(0, 1)) / panel.y_range->length();
+            EXPECT_NEAR(share, 0.034, 0.002) << panel.caption;
+            for (const Layer& layer : panel.layers) {
+                const auto* dots = std::get_if<PointsLayer>(&layer);
+                for (std::size_t i = 0; dots && i < dots->points.size(); ++i) {
+                    EXPECT_GT(dots->points(i, 1), mark(1, 1)) << panel.caption;
+                    EXPECT_LT(dots->points(i, 1), panel.y_range->hi) << panel.caption;
+                }
+            }
+        }
+    }
+}
+
+TEST(Picture, OfAFitScalesTheDerivativeByItselfAndCutsItsBand) {
+    const Panel slopes = drawn_noisily().panels.back();
+    Interval line{0, 0}, band{0, 0};
+    const auto add = [](Interval& extent, const Points& points) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            extent = {std::min(extent.lo, points(i, 1)), std::max(extent.hi, points(i, 1))};
+        }
+    };
+    for (const Layer& layer : slopes.layers) {
+        const auto* lines = std::get_if<PolylineLayer>(&layer);
+        if (lines && lines->name == "fit") add(line, lines->runs.front());
+        if (const auto* region = std::get_if<RegionsLayer>(&layer)) add(band, region->outlines[0]);
+    }
+    ASSERT_TRUE(slopes.y_range);
+    EXPECT_TRUE(slopes.y_range->contains(line.lo) && slopes.y_range->contains(line.hi));
+    EXPECT_LT(slopes.y_range->length(), 2 * line.length());
+    EXPECT_GT(band.length(), 3 * slopes.y_range->length()) << "nothing was there to be cut";
+}
+
+TEST(Picture, OfAFitShowsADoubleKnotAsTwoMarks) {
+    const std::vector<double> knots{0.3, 0.5, 0.5, 0.7};
+    const Drawing drawing = drawn({{"knots", knots}});
+    const PolylineLayer* marks = knots_of(drawing.panels[0]);
+    ASSERT_NE(marks, nullptr);
+    ASSERT_EQ(marks->runs.size(), 6u);
+    EXPECT_LT(marks->runs[2](0, 0), 0.5);
+    EXPECT_GT(marks->runs[3](0, 0), 0.5);
+    EXPECT_NEAR(marks->runs[3](0, 0) - marks->runs[2](0, 0), 0.01, 0.005);
 }
 
 }  // namespace fit_picture_test

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -8,7 +9,6 @@
 
 #include "batten/api/operation.hpp"
 #include "batten/base/text.hpp"
-#include "batten/io/draw/gnuplot.hpp"
 #include "batten/io/draw/surface_plots.hpp"
 #include "batten/make/interpolate.hpp"
 #include "errors.hpp"
@@ -215,20 +215,6 @@ TEST(Picture, OfAFlatPatchSaysSoInPlaceOfAMapOfRounding) {
     EXPECT_EQ(drawing.panels[2].caption, "mean curvature: 0 everywhere");
 }
 
-TEST(Gnuplot, IsToldReliefsAndMaps) {
-    const std::string script = gnuplot_script(
-        of({relief_plot(hills(5, 5), {}, "relief"), residual_map(hills(5, 5), {}, "map"),
-            level_plot(hills(9, 9), {90}, "levels"),
-            height_dots({{0, 1}, {0, 1}, {2, 3}}, {}, {{0, 1}, {0, 1}}, "dots")}),
-        ChartFormat::png);
-    for (const char* const words : {"using 1:2:3 with points pt 7 ps 0.6 lc palette",
-                                    "set cbrange [2:3]", "splot $d0_0 with pm3d", "set cbrange [-",
-                                    "boxxyerror", "set label \"90\" at ",
-                                    "set cblabel \"residual / σ\""}) {
-        EXPECT_NE(script.find(words), std::string::npos) << words;
-    }
-}
-
 std::string code_of_drawing(const Layer& layer) {
     return code_of([&] {
         Drawing drawing;
@@ -254,6 +240,99 @@ TEST(ColoredPoints, RefuseNumbersThatAreNotTheirs) {
               "drawing.option");
     EXPECT_EQ(code_of_drawing(ColoredPointsLayer{Points({0, 0, 0}, 3), {1}}), "drawing.dimension");
     EXPECT_EQ(code_of_drawing(ColoredPointsLayer{two, {1, std::nan("")}}), "points.not-finite");
+}
+
+TEST(Map, HatchesMissingNodesAndNamesThemInTheLegend) {
+    Heights heights = hills(31, 26);
+    const auto drawn = [&] { return svg(of({height_map(heights, "heights")})); };
+    EXPECT_EQ(drawn().find(">missing<"), std::string::npos);
+    for (std::size_t i = 10; i < 16; ++i) {
+        for (std::size_t j = 5; j < 9; ++j) heights.z.drop(i, j);
+    }
+    const std::string with_hole = drawn();
+    EXPECT_NE(with_hole.find(">missing<"), std::string::npos);
+    // The ground of the hatching, once in the legend and once on the map.
+    const std::string ground = "fill=\"#f1f2f4\"";
+    const std::size_t first = with_hole.find(ground);
+    ASSERT_NE(first, std::string::npos);
+    EXPECT_NE(with_hole.find(ground, first + 1), std::string::npos);
+}
+
+TEST(Map, LeavesOutMarksOfItsBarThatWouldCross) {
+    Heights residuals = hills(11, 11);
+    const auto has_sigma = [&] {
+        return svg(of({residual_map(residuals, {}, "residuals")})).find(">−σ<") != std::string::npos;
+    };
+    for (std::size_t i = 0; i < 121; ++i) residuals.z(i / 11, i % 11) = i % 2 == 0 ? 3 : -3;
+    EXPECT_TRUE(has_sigma());
+    residuals.z(3, 3) = 90;
+    EXPECT_FALSE(has_sigma());
+}
+
+/// The numbers of the first path of that stroke: x, y, x, y, ...
+std::vector<double> numbers_of_path(const std::string& text, const std::string& stroke) {
+    const std::size_t at = text.find("stroke=\"" + stroke + "\"");
+    const std::size_t begin = text.rfind("d=\"", at) + 3;
+    std::vector<double> numbers;
+    std::string word;
+    for (std::size_t i = begin; i < text.find('"', begin) + 1; ++i) {
+        const char c = text[i];
+        const bool belongs = (c >= '0' && c <= '9') || c == '.' || c == '-';
+        if (belongs) word += c;
+        if (belongs || word.empty()) continue;
+        numbers.push_back(*parse_number(word));
+        word.clear();
+    }
+    return numbers;
+}
+
+TEST(Map, HasGridLinesThatEndWithIt) {
+    Heights tall{even_places({0, 1}, 5), even_places({0, 2}, 5), Grid(5, 5)};
+    for (std::size_t i = 0; i < 25; ++i) tall.z(i / 5, i % 5) = static_cast<double>(i);
+    const std::vector<double> grid =
+        numbers_of_path(svg(of({height_map(tall, "tall"), height_map(tall, "too")})), "#e9edf1");
+    Interval x{grid[0], grid[0]}, y{grid[1], grid[1]};
+    for (std::size_t i = 0; i + 1 < grid.size(); i += 2) {
+        x = {std::min(x.lo, grid[i]), std::max(x.hi, grid[i])};
+        y = {std::min(y.lo, grid[i + 1]), std::max(y.hi, grid[i + 1])};
+    }
+    EXPECT_NEAR(x.length() / y.length(), 0.5, 1e-3);
+}
+
+TEST(Map, WritesNoHeightUponLinesThatRunTogether) {
+    Drawing drawing;
+    Panel& panel = drawing.panels[0];
+    for (int i = 0; i < 8; ++i) {
+        const double x = 0.5 + 0.002 * i;
+        panel.add(PolylineLayer{{Points({x, 0, x, 1}, 2)}, {}, {}, "70" + std::to_string(i)});
+    }
+    panel.add(PolylineLayer{{Points({0, 0.2, 0.3, 0.9}, 2)}, {}, {}, "801"});
+    const std::string text = svg(drawing);
+    EXPECT_EQ(text.find(">70"), std::string::npos);
+    EXPECT_NE(text.find(">801<"), std::string::npos);
+}
+
+TEST(Picture, OfASurfaceFitSaysWhatItCameTo) {
+    const Drawing drawing = fitted({{"sigma", "0.7"}}).draw();
+    EXPECT_EQ(drawing.title, "Least-squares spline surface");
+    for (const char* const words : {"806 samples", " strips, ", " coefficients, δ² = ", "χ² p "}) {
+        EXPECT_NE(drawing.subtitle.find(words), std::string::npos) << words;
+    }
+}
+
+TEST(Picture, OfASectionNamesItsAxesAndMarksItsKnots) {
+    const Outcome made = fitted({{"sigma", "0.7"}});
+    const Input input{"hills.json", std::get<Surface>(made.output)};
+    const Drawing drawing = find_operation("section")->run({&input, 1}, {{"y", "20"}}, {}).draw();
+    const Panel& panel = drawing.panels[0];
+    EXPECT_EQ(drawing.title, "Section of the surface at y = 20");
+    EXPECT_EQ(panel.x_label, "x");
+    EXPECT_EQ(panel.y_label, "z");
+    ASSERT_EQ(panel.layers.size(), 2u);
+    const auto* knots = std::get_if<PolylineLayer>(&panel.layers[1]);
+    ASSERT_NE(knots, nullptr);
+    EXPECT_EQ(knots->runs.size(),
+              std::get<SplineSurface>(std::get<Surface>(made.output)).x_basis().breaks().size());
 }
 
 TEST(Sheet, RefusesLinesBesideIt) {

@@ -41,7 +41,7 @@ void draw_panel(Scene& scene, const ReadyPanel& panel, const Place& place) {
     draw_layers(scene, panel, place.frame, room);
     const Rect& area = place.frame.area;
     if (const std::optional<ColorBar> bar = bar_of(panel)) {
-        draw_bar(scene, *bar, {area.left, place.bar_top}, area.width);
+        draw_bar(scene, *bar, {area.left, place.bar_top}, place.bar_width);
     }
 }
 

@@ -19,6 +19,8 @@ constexpr double steepest_beside = 1.1;
 constexpr double chart_alone = 0.55;
 constexpr double chart_beside = 0.72;
 constexpr double lowest_panel = 110;
+constexpr double narrowest_figure = 60;
+constexpr double narrowest_bar = 260;
 constexpr double name_height = 18;
 constexpr double header_gap = 16;
 constexpr double bottom_margin = 14;
@@ -107,6 +109,17 @@ Rims rims_of(const ReadyPanel& panel, const Place& place) {
     return rims;
 }
 
+/// The upper left part of `cell` that a panel takes: a figure whose both ranges are asked for is
+/// shown to its edges and no farther.
+Rect area_in(const ReadyPanel& panel, Rect cell) {
+    const Panel& asked = *panel.panel;
+    if (asked.kind != PanelKind::geometry || !asked.x_range || !asked.y_range) return cell;
+    const double wanted = aspect(panel.box);
+    const double width = std::min(cell.width, cell.height / wanted), height = width * wanted;
+    if (width < narrowest_figure || height < narrowest_figure) return cell;
+    return {cell.left, cell.top, width, height};
+}
+
 /// Columns of equal areas, with room for numbers left of each or of the first.
 struct Columns {
     std::size_t count = 1;
@@ -179,7 +192,7 @@ Layout layout_of(const Drawing& drawing, const std::vector<ReadyPanel>& panels) 
         for (std::size_t i = first; i < last; ++i) {
             Place& place = layout.places.emplace_back();
             place.caption = wrapped(panels[i].panel->caption, caption_size, columns.width);
-            place.frame = frame_of(panels[i], {0, 0, columns.width, height});
+            place.frame = frame_of(panels[i], area_in(panels[i], {0, 0, columns.width, height}));
             place.axes = plane_axes(panels[i], place.frame);
             place.axes.has_y_numbers = !is_shared || i == first;
             place.axes.has_x_numbers = !is_shared || i + columns.count >= panels.size();
@@ -188,10 +201,12 @@ Layout layout_of(const Drawing& drawing, const std::vector<ReadyPanel>& panels) 
         }
         for (std::size_t i = first; i < last; ++i) {
             Place& place = layout.places[i];
-            place.bar_top = y + rims.top + height + rims_of(panels[i], place).bottom - bar_room + 14;
+            const Rect cell{columns.left(i - first), y + rims.top, columns.width, height};
+            const Rect area = area_in(panels[i], cell);
+            place.bar_top = area.bottom() + rims_of(panels[i], place).bottom - bar_room + 14;
+            place.bar_width = std::min(cell.width, std::max(area.width, narrowest_bar));
             place.caption_y = y + caption_size;
-            place.frame = frame_of(panels[i], {columns.left(i - first), y + rims.top,
-                                               columns.width, height});
+            place.frame = frame_of(panels[i], area);
         }
         y += rims.top + height + rims.bottom + gap;
     }

@@ -17,6 +17,7 @@ struct Place {
     std::vector<std::string> caption;
     double caption_y = 0;  ///< the base line of its first line
     double bar_top = 0;    ///< where the colour bar begins, if there is one
+    double bar_width = 0;  ///< with its name
 };
 
 /// A swatch and its text in the legend; `at` is the left end of the text's base line.

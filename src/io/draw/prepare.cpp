@@ -208,6 +208,9 @@ const std::string& name_of(const Layer& layer) {
     return std::visit(
         [](const auto& any) -> const std::string& {
             if constexpr (requires { any.name; }) return any.name;
+            if constexpr (requires { any.missing; }) {
+                if (any.values.missing() > 0) return any.missing;
+            }
             return none;
         },
         layer);

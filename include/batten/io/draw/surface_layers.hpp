@@ -28,8 +28,8 @@ struct BarMark {
 /// on logarithmic axes.
 ///
 /// Borders of cells are halfway between nodes, those outside on the first and last node; cells
-/// narrower than 4 pixels are drawn together, by the mean of their numbers. Missing nodes stay
-/// paper. 16 classes of colour, so that neighbours can be told apart.
+/// narrower than 4 pixels are drawn together, by the mean of their numbers. Where nodes are missing
+/// the map is hatched, and the legend says what that is. 17 classes of colour, so that neighbours can be told apart.
 struct MapLayer {
     std::vector<double> x, y;  ///< places of the nodes, rising, at least two each
     Grid values{0, 0};         ///< x.size() x y.size() numbers
@@ -38,7 +38,9 @@ struct MapLayer {
     /// What the colours span; numbers outside take the colours of the ends. Without it that of the
     /// numbers, made symmetric about 0 on a diverging ramp.
     std::optional<Interval> range = {};
-    std::vector<BarMark> marks = {};  ///< beside both ends of the range
+    /// Beside both ends of the range; left out where their texts would cross.
+    std::vector<BarMark> marks = {};
+    std::string missing = "missing";  ///< the legend's name for where nodes are missing
 };
 
 /// Dots coloured by their numbers, with the colour bar of a map. In the plane only.

@@ -26,7 +26,7 @@ struct PlacedNumbers {
     std::vector<double> x, y, values;
 };
 
-/// The knot lines of a surface: straight ones dotted grey, curved ones in red.
+/// The knot lines of a surface: straight ones dotted, curved ones in red.
 std::vector<PolylineLayer> knot_lines(const Surface& surface);
 
 /// An empty panel for a map of `part`.

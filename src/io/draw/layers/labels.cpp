@@ -50,6 +50,16 @@ std::vector<Pixel> ends_of(const Path& path) {
     return ends;
 }
 
+/// The place so far along a chain.
+Pixel place_on(const std::vector<Pixel>& chain, double rest) {
+    std::size_t i = 1;
+    while (i + 1 < chain.size() && rest > length(chain[i] - chain[i - 1])) {
+        rest -= length(chain[i] - chain[i - 1]);
+        ++i;
+    }
+    return chain[i - 1] + rest * towards(chain[i - 1], chain[i]);
+}
+
 int cell(double x) { return static_cast<int>(std::floor(x / cell_size)); }
 
 std::vector<std::pair<int, int>> cells_of(const Rect& box) {
@@ -84,6 +94,31 @@ bool LabelBoard::take(const TextShape& shape) {
     return true;
 }
 
+void LabelBoard::add_line(const Path& line) {
+    constexpr int most_steps = 4096;  // of a chord that leaves the paper
+    const std::vector<Pixel> ends = ends_of(line);
+    const int id = line_count_++;
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+        const Pixel chord = ends[i] - ends[i - 1];
+        const int steps = 1 + static_cast<int>(std::min<double>(length(chord) / cell_size, most_steps));
+        for (int k = 0; k <= steps; ++k) {
+            const Pixel p = ends[i - 1] + (static_cast<double>(k) / steps) * chord;
+            if (!area_.contains(p)) continue;
+            std::vector<int>& here = lines_[{cell(p.x), cell(p.y)}];
+            if (here.empty() || here.back() != id) here.push_back(id);
+        }
+    }
+}
+
+int LabelBoard::lines_behind(const TextShape& shape) const {
+    std::set<int> found;
+    for (const auto& place : cells_of(box_of(shape))) {
+        const auto lines = lines_.find(place);
+        if (lines != lines_.end()) found.insert(lines->second.begin(), lines->second.end());
+    }
+    return static_cast<int>(found.size());
+}
+
 void LabelBoard::number(Scene& scene, std::span<const Pixel> centres, double radius) {
     for (std::size_t i = 0; i < centres.size(); ++i) {
         const Pixel side = outside(centres, i);
@@ -110,19 +145,17 @@ void LabelBoard::write_upon(Scene& scene, const Path& line, const std::string& t
     double whole = 0;
     for (std::size_t i = 1; i < ends.size(); ++i) whole += length(ends[i] - ends[i - 1]);
     if (whole < shortest_line * text_width(text, index_size)) return;
-    for (const double share : {0.5, 0.35, 0.65, 0.2, 0.8}) {
-        double rest = share * whole;
-        std::size_t i = 1;
-        while (i + 1 < ends.size() && rest > length(ends[i] - ends[i - 1])) {
-            rest -= length(ends[i] - ends[i - 1]);
-            ++i;
+    // Its own line is one of those behind it.
+    for (const int most_lines : {1, 2}) {
+        for (const double share : {0.5, 0.35, 0.65, 0.2, 0.8, 0.28, 0.72, 0.42, 0.58, 0.1, 0.9}) {
+            const Pixel at = place_on(ends, share * whole);
+            TextShape shape{at + Pixel{0, 0.36 * index_size}, text, index_size, Anchor::middle,
+                            color};
+            shape.halo = halo;
+            if (lines_behind(shape) > most_lines || !take(shape)) continue;
+            scene.add(shape);
+            return;
         }
-        const Pixel at = ends[i - 1] + rest * towards(ends[i - 1], ends[i]);
-        TextShape shape{at + Pixel{0, 0.36 * index_size}, text, index_size, Anchor::middle, color};
-        shape.halo = halo;
-        if (!take(shape)) continue;
-        scene.add(shape);
-        return;
     }
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <map>
 #include <set>
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "io/draw/scene/scene.hpp"
 
@@ -24,16 +26,22 @@ public:
     /// inside the area, shortened to the area's width.
     void write(Scene& scene, Pixel at, const std::string& whole, std::string_view color);
 
-    /// A text upon a line, in its middle or where else there is room; left out where the line is
-    /// short or its pieces leave no room.
+    /// A line that carries a text, or may: others are not written where it goes.
+    void add_line(const Path& line);
+
+    /// A text upon a line that was added, in its middle or where else there is room and no other
+    /// line, or at most one; left out where the line is short or there is no such place.
     void write_upon(Scene& scene, const Path& line, const std::string& text,
                     std::string_view color);
 
 private:
     bool take(const TextShape& shape);
+    int lines_behind(const TextShape& shape) const;
 
     Rect area_;
     std::set<std::pair<int, int>> taken_;
+    std::map<std::pair<int, int>, std::vector<int>> lines_;  ///< those that go through a cell
+    int line_count_ = 0;
 };
 
 }  // namespace batten::drawing

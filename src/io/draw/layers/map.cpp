@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <string_view>
 
 #include "io/draw/layers/color_bar.hpp"
 #include "io/draw/scene/ramp.hpp"
@@ -10,6 +12,9 @@ namespace batten::drawing {
 namespace {
 
 constexpr double narrowest_cell = 4;  ///< pixels
+constexpr double hatch_step = 7;   ///< between lines, along the edge of a box
+constexpr std::string_view hatch_ground = "#f1f2f4";
+constexpr std::string_view hatch_color = "#8a96a3";
 
 /// Nodes that are drawn as one cell, and where it lies.
 struct Block {
@@ -42,9 +47,9 @@ void add_box(Path& path, Pixel a, Pixel b) {
     path.close();
 }
 
-}  // namespace
-
-std::vector<MapCell> cells_of(const MapLayer& map, std::size_t most_x, std::size_t most_y) {
+/// The cells with numbers, or those without.
+std::vector<MapCell> cells_that(bool have_numbers, const MapLayer& map, std::size_t most_x,
+                                std::size_t most_y) {
     std::vector<MapCell> cells;
     const std::vector<Block> columns = blocks_of(map.x, most_x);
     for (const Block& row : blocks_of(map.y, most_y)) {
@@ -57,10 +62,43 @@ std::vector<MapCell> cells_of(const MapLayer& map, std::size_t most_x, std::size
                     mean += (map.values(i, j) - mean) / count;
                 }
             }
-            if (count > 0) cells.push_back({column.part, row.part, mean});
+            if ((count > 0) == have_numbers) cells.push_back({column.part, row.part, mean});
         }
     }
     return cells;
+}
+
+Rect box_between(Pixel a, Pixel b) {
+    return {std::min(a.x, b.x), std::min(a.y, b.y), std::fabs(b.x - a.x), std::fabs(b.y - a.y)};
+}
+
+}  // namespace
+
+std::vector<MapCell> cells_of(const MapLayer& map, std::size_t most_x, std::size_t most_y) {
+    return cells_that(true, map, most_x, most_y);
+}
+
+std::vector<MapCell> gaps_of(const MapLayer& map, std::size_t most_x, std::size_t most_y) {
+    if (map.values.missing() == 0) return {};
+    return cells_that(false, map, most_x, most_y);
+}
+
+void draw_hatching(Scene& scene, const std::vector<Rect>& boxes) {
+    Path ground, lines;
+    for (const Rect& box : boxes) {
+        const double right = box.right(), bottom = box.bottom();
+        add_box(ground, {box.left, box.top}, {right, bottom});
+        // Lines x + y = k steps.
+        for (double k = std::ceil((box.left + box.top) / hatch_step);
+             k * hatch_step < right + bottom; k += 1) {
+            const double sum = k * hatch_step;
+            const double from = std::max(box.left, sum - bottom), to = std::min(right, sum - box.top);
+            lines.move_to({from, sum - from});
+            lines.line_to({to, sum - to});
+        }
+    }
+    scene.add(PathShape{std::move(ground), {hatch_ground, 0.4, hatch_ground}});
+    scene.add(PathShape{std::move(lines), {hatch_color, 0.7}});
 }
 
 Interval range_of(const MapLayer& map) {
@@ -79,6 +117,13 @@ void draw_map(Scene& scene, const MapLayer& map, const Frame& frame) {
     const auto most = [](double pixels) {
         return static_cast<std::size_t>(std::max(1.0, pixels / narrowest_cell));
     };
+    const std::size_t most_x = most(frame.area.width), most_y = most(frame.area.height);
+    std::vector<Rect> gaps;
+    for (const MapCell& cell : gaps_of(map, most_x, most_y)) {
+        gaps.push_back(box_between(frame.at(std::array{cell.x.lo, cell.y.lo}),
+                                   frame.at(std::array{cell.x.hi, cell.y.hi})));
+    }
+    if (!gaps.empty()) draw_hatching(scene, gaps);
     const Interval range = range_of(map);
     std::array<Path, ramp_classes> paths;
     std::array<MapCell, ramp_classes> runs;  // the last cell of each class, grown along its row
@@ -87,7 +132,7 @@ void draw_map(Scene& scene, const MapLayer& map, const Frame& frame) {
         const std::array<double, 2> low{runs[k].x.lo, runs[k].y.lo}, high{runs[k].x.hi, runs[k].y.hi};
         if (has_run[k]) add_box(paths[k], frame.at(low), frame.at(high));
     };
-    for (const MapCell& cell : cells_of(map, most(frame.area.width), most(frame.area.height))) {
+    for (const MapCell& cell : cells_of(map, most_x, most_y)) {
         const std::size_t k =
             static_cast<std::size_t>(class_of(cell.value, range, ramp_classes));
         if (has_run[k] && runs[k].x.hi == cell.x.lo && runs[k].y == cell.y) {

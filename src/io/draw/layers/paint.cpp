@@ -119,18 +119,37 @@ struct Painter {
     void operator()(const SheetLayer& layer) { draw_sheet(scene, layer, frame); }
 };
 
-void write_upon_lines(Scene& scene, const ReadyLayer& ready, const Frame& frame,
-                      LabelBoard& labels) {
-    const std::string_view color = color_of(ready.tone);
-    if (const auto* curve = std::get_if<CurveLayer>(ready.layer)) {
-        if (curve->label.empty()) return;
-        labels.write_upon(scene, path_of(ready.trace, frame), curve->label, color);
-    }
-    if (const auto* lines = std::get_if<PolylineLayer>(ready.layer)) {
-        if (lines->label.empty()) return;
-        for (const Points& run : lines->runs) {
-            labels.write_upon(scene, path_of(std::vector<Points>{run}, frame), lines->label, color);
+/// A line that carries a text.
+struct LabelledLine {
+    Path path;
+    const std::string& text;
+    std::string_view color;
+};
+
+std::vector<LabelledLine> labelled_lines(const ReadyPanel& panel, const Frame& frame) {
+    std::vector<LabelledLine> found;
+    for (const ReadyLayer& ready : panel.layers) {
+        const std::string_view color = color_of(ready.tone);
+        if (const auto* curve = std::get_if<CurveLayer>(ready.layer)) {
+            if (curve->label.empty()) continue;
+            found.push_back({path_of(ready.trace, frame), curve->label, color});
         }
+        if (const auto* lines = std::get_if<PolylineLayer>(ready.layer)) {
+            if (lines->label.empty()) continue;
+            for (const Points& run : lines->runs) {
+                found.push_back({path_of(std::vector<Points>{run}, frame), lines->label, color});
+            }
+        }
+    }
+    return found;
+}
+
+void write_upon_lines(Scene& scene, const ReadyPanel& panel, const Frame& frame,
+                      LabelBoard& labels) {
+    const std::vector<LabelledLine> lines = labelled_lines(panel, frame);
+    for (const LabelledLine& line : lines) labels.add_line(line.path);
+    for (const LabelledLine& line : lines) {
+        labels.write_upon(scene, line.path, line.text, line.color);
     }
 }
 
@@ -149,9 +168,7 @@ void draw_layers(Scene& scene, const ReadyPanel& panel, const Frame& frame, cons
     for (const ReadyLayer& layer : panel.layers) {
         std::visit(Painter{scene, frame, labels, layer}, *layer.layer);
     }
-    for (const ReadyLayer& layer : panel.layers) {
-        write_upon_lines(scene, layer, frame, labels);
-    }
+    write_upon_lines(scene, panel, frame, labels);
     if (panel.is_cut) scene.add(ClipEnd{});
 }
 

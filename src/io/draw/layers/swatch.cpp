@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/draw/layers/map.hpp"
 #include "io/draw/layers/marks.hpp"
 #include "io/draw/scene/ramp.hpp"
 #include "io/draw/scene/theme.hpp"
@@ -72,7 +73,10 @@ struct Swatch {
     }
     void operator()(const TicksLayer&) { strokes(2, tick_paint(tone)); }
     void operator()(const TextLayer&) {}
-    void operator()(const MapLayer&) {}
+    void operator()(const MapLayer&) {
+        const Pixel corner = at(0, 5);
+        draw_hatching(scene, {{corner.x, corner.y, swatch_width, 10}});
+    }
     void operator()(const ColoredPointsLayer&) {}
     void operator()(const SheetLayer& layer) {
         Path patch;

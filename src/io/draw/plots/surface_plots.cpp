@@ -15,7 +15,7 @@ constexpr std::size_t most_numbered = 12;  ///< levels; of more only every other
 constexpr std::size_t curved_line_places = 101;
 constexpr LineStyle level_style{Tone::blue, Dash::solid, 1.1};
 constexpr LineStyle relief_level_style{Tone::ink, Dash::solid, 0.7};
-constexpr LineStyle knot_style{Tone::grey, Dash::dotted, 0.8};
+constexpr LineStyle knot_style{Tone::ink, Dash::dotted, 1};
 
 Rectangle part_of(const Heights& heights) {
     return {{heights.x.front(), heights.x.back()}, {heights.y.front(), heights.y.back()}};
