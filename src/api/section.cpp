@@ -1,8 +1,9 @@
 #include <concepts>
 #include <optional>
 
+#include "api/curve_layers.hpp"
 #include "api/row.hpp"
-#include "batten/shape/spline_function.hpp"
+#include "batten/shape/surface.hpp"
 
 namespace batten::api {
 namespace {
@@ -30,19 +31,19 @@ void visit_fields(const SectionReport& r, Visit&& visit) {
 }
 
 Outcome run(std::span<const Input> inputs, const SectionOptions& options) {
-    const SplineSurface& surface = product_input(inputs);
+    const Surface& surface = surface_input(inputs);
     if (options.x.has_value() == options.y.has_value()) {
         throw Error("surface.section", "section", options.x ? "x and y" : "neither x nor y",
                     "one of x and y tells where to cut");
     }
     const SplineFunction cut =
         options.x ? section_at_x(surface, *options.x) : section_at_y(surface, *options.y);
-    const Curve curve = graph(cut.degree() == 0 ? elevate_degree(cut) : cut);
+    const Curve curve = graph_in_parts(cut);
     const SectionReport report{options.x ? "z(y)" : "z(x)",
                                {cut.breaks().begin(), cut.breaks().end()}};
     return {curve, Status::met, {}, report_value(report), [curve] {
                 Drawing drawing;
-                drawing.add(CurveLayer{curve, {}, {}});
+                add_parts(drawing, curve);
                 return drawing;
             }};
 }
