@@ -5,6 +5,7 @@
 #include <optional>
 #include <system_error>
 
+#include "batten/api/argument.hpp"
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
 #include "batten/io/curve_file.hpp"
@@ -82,12 +83,12 @@ Argument read_shape(const std::string& path) {
     return points_of(table, coordinate_columns(table));
 }
 
-Argument read_numbers(const std::string& path) {
+Argument read_numbers(const std::string& path, const Field& field) {
     const Source source = read_source(path);
     if (const std::optional<std::string> list = listed_shares(source)) return *list;
     const Table table = parse_table(source);
     return table.columns() == 1 ? Argument(column_values(table, 0))
-                                : Argument(points_of(table, coordinate_columns(table)));
+                                : Argument(points_of(table, columns_for(field, table)));
 }
 
 /// Whether a grid stays where it is: asked for by `--stream`, or larger than what is read whole.
@@ -157,14 +158,14 @@ Argument argument_of(const Command& command, const Field& field, const std::stri
                      const std::vector<Input>& inputs) {
     switch (field.kind) {
         case FieldKind::shape: return read_shape(text);
-        case FieldKind::table: return read_numbers(text);
+        case FieldKind::table: return read_numbers(text, field);
         case FieldKind::list:
-            if (field.takes_file && !is_list(text)) return read_numbers(text);
+            if (field.takes_file && !is_list(text)) return read_numbers(text, field);
             return text;
         case FieldKind::choice:
             if (!is_choice(field, text) && takes_column(*command.operation, field)) {
                 if (is_list(text)) return numbers_in(text);
-                if (std::filesystem::is_regular_file(text)) return read_numbers(text);
+                if (std::filesystem::is_regular_file(text)) return read_numbers(text, field);
                 if (const auto* points = std::get_if<PointsInput>(&inputs.front().content)) {
                     return column_named(points->table, field, text);
                 }

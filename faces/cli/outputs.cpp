@@ -10,6 +10,7 @@
 #include "batten/io/surface_file.hpp"
 #include "batten/io/svg_path.hpp"
 #include "batten/io/write_points.hpp"
+#include "batten/shape/spline_graph.hpp"
 #include "charts.hpp"
 
 namespace batten::cli {
@@ -44,6 +45,10 @@ std::string with_forms(std::string allowed, const Outcome& outcome) {
 
 std::string text_of(const Curve& curve, const std::string& format, const Outcome& outcome) {
     if (format == "json") return dump_json(curve_value(curve));
+    if (has_jumps(curve) && format != "csv") {
+        throw Error("curve.jumps", "output", format,
+                    "a curve with jumps is written as json or csv; batten draw makes a picture");
+    }
     if (format == "svg") return svg_picture(curve);
     if (format == "dxf") return dxf(curve);
     if (format == "csv") return csv_samples(curve, sample_parameters(curve));

@@ -96,7 +96,7 @@ void bind_surface(py::module_& module) {
         .def("__call__", &heights_of, py::arg("x"), py::arg("y"), py::arg("nux") = 0,
              py::arg("nuy") = 0,
              "Heights at the places (x, y), broadcast against each other, or the derivative of\n"
-             "order nux by x and nuy by y (values only where knot lines are curved).")
+             "order nux by x and nuy by y (of order 9 in all where knot lines are curved).")
         .def("grid", &on_grid, py::arg("x"), py::arg("y"), py::arg("nux") = 0, py::arg("nuy") = 0,
              "The same on the grid of rising x and y: an array (len(x), len(y)), far faster.")
         .def_property_readonly(

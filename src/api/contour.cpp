@@ -83,11 +83,11 @@ std::string json_of(const std::vector<Contour>& lines) {
 }
 
 Outcome run(std::span<const Input> inputs, const ContourOptions& options) {
-    const SplineSurface& surface = product_input(inputs);
+    const Surface& surface = surface_input(inputs);
     ContourReport report;
     report.levels = options.levels.empty() ? round_levels(surface, options.count) : options.levels;
     std::vector<Contour> lines;
-    const Rectangle domain = surface.domain();
+    const Rectangle domain = domain_of(surface);
     for (const double level : report.levels) {
         for (Contour& line : contours(surface, level, options.tolerance)) {
             report.lines.push_back({level, line.curve.is_closed(), length(line.curve).value,

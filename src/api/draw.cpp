@@ -4,12 +4,15 @@
 #include <optional>
 #include <string>
 
+#include "api/curve_layers.hpp"
 #include "api/row.hpp"
 #include "api/surface_picture.hpp"
 #include "batten/measure/arc_length_map.hpp"
 
 namespace batten::api {
 namespace {
+
+constexpr std::size_t tones = 6;  // that curves take in turn, from ink to violet
 
 struct DrawOptions {
     bool comb = false;
@@ -67,13 +70,16 @@ std::vector<double> equal_marks(const Curve& curve, int count) {
     return t;
 }
 
-void add_curve(Drawing& drawing, const Curve& curve, const std::string& name,
+void add_curve(Drawing& drawing, const Curve& curve, const std::string& name, Tone tone,
                const DrawOptions& options) {
-    if (options.comb) drawing.add(CombLayer{curve, {}});
-    if (options.control_polygon) drawing.add(ControlPolygonLayer{curve, {}});
-    drawing.add(CurveLayer{curve, name, {}});
-    if (options.samples) {
-        drawing.add(TicksLayer{curve, equal_marks(curve, *options.samples), {}});
+    const std::vector<Curve> parts = parts_between_jumps(curve);
+    for (const Curve& part : parts) {
+        if (options.comb) drawing.add(CombLayer{part, {}});
+        if (options.control_polygon) drawing.add(ControlPolygonLayer{part, {}});
+    }
+    add_parts(drawing, curve, name, tone);
+    for (const Curve& part : parts) {
+        if (options.samples) drawing.add(TicksLayer{part, equal_marks(part, *options.samples), {}});
     }
 }
 
@@ -90,6 +96,12 @@ void add_graph(std::vector<Panel>& plots, const Curve& curve, const std::string&
     plots.push_back(std::move(plot));
 }
 
+/// Plots along a curve need one without jumps.
+void require_whole(const Curve& curve, const std::string& name, const DrawOptions& options) {
+    if (!has_jumps(curve) || (!options.curvature && !options.lcg)) return;
+    throw Error("curve.jumps", name, "curvature or lcg", "these are drawn of curves without jumps");
+}
+
 Outcome run(std::span<const Input> inputs, const DrawOptions& options) {
     Drawing drawing;
     drawing.title = options.title;
@@ -99,7 +111,9 @@ Outcome run(std::span<const Input> inputs, const DrawOptions& options) {
     const auto legend = [&](const Input& input) { return inputs.size() > 1 ? input.name : ""; };
     for (const Input& input : inputs) {
         if (const Curve* curve = std::get_if<Curve>(&input.content)) {
-            add_curve(drawing, *curve, legend(input), options);
+            require_whole(*curve, input.name, options);
+            const Tone tone = static_cast<Tone>(report.curves % tones);
+            add_curve(drawing, *curve, legend(input), tone, options);
             if (options.curvature) plots.push_back(curvature_plot(*curve, legend(input)));
             if (options.lcg) add_graph(plots, *curve, legend(input), report);
             if (options.lcg && curve->dim() == 3) {
@@ -133,7 +147,7 @@ Outcome run(std::span<const Input> inputs, const DrawOptions& options) {
 
 Operation draw_row() {
     return row<DrawOptions>({"draw", "a picture of points, curves and surfaces", InputKind::any,
-                             OutputKind::drawing, true},
+                             OutputKind::drawing, true, true},
                             run);
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "api/curve_layers.hpp"
 #include "api/row.hpp"
 #include "api/surface_picture.hpp"
 #include "api/surface_values.hpp"
@@ -75,11 +76,14 @@ void visit_fields(const EvaluateReport& r, Visit&& visit) {
     if (r.integral_band) visit("integral_band", r.integral_band, "half the width of its band");
     if (r.roots) visit("roots", r.roots, "parameters where the last coordinate is 0");
     if (r.roots_band) {
-        visit("roots_band", r.roots_band, "half the width of each one's band; none at a touching");
+        visit("roots_band", r.roots_band,
+              "half the width of each one's band; none at a touching and at a jump");
     }
     if (r.extrema) visit("extrema", r.extrema, "local extrema of the last coordinate");
     if (r.extrema_band) {
-        visit("extrema_band", r.extrema_band, "the same of the places; none where it is flat");
+        visit("extrema_band", r.extrema_band,
+              "the same of the places; none where it is flat and at a corner, which is known as its "
+              "knot is");
     }
     if (r.nearest) visit("nearest", r.nearest, "the nearest point of the curve");
     if (r.intersections) visit("intersections", r.intersections, "where the curve meets the line");
@@ -158,11 +162,10 @@ Rows with_band(Rows rows, const Curve& curve, const Band& band, int derivatives)
     return rows;
 }
 
-/// Of the place where the derivative number `order` is 0: |its error| / |the next derivative|.
-std::optional<double> half_of_place(const Curve& curve, const Band& band, double t, int order) {
-    const double slope = std::fabs(curve.jet(t, order + 1)[order + 1].back());
-    if (!(slope > 0)) return std::nullopt;
-    return band.half(band.covariance->deviation(t, order) / slope);
+/// Of the place where the derivative number `order` is 0.
+std::optional<double> half_of_place(const Band& band, double t, int order) {
+    const std::optional<double> deviation = band.covariance->deviation_of_place(t, order);
+    return deviation ? std::optional(band.half(*deviation)) : std::nullopt;
 }
 
 Rows values(const Curve& curve, std::span<const double> t, int derivatives) {
@@ -183,20 +186,31 @@ void require_numbers(const std::vector<double>& integral, std::size_t count, con
     throw Error("option.value", "integral", std::to_string(integral.size()) + " numbers", rule);
 }
 
-void add_bands(EvaluateReport& report, const Curve& curve, const EvaluateOptions& options,
-               const Band& band) {
+void add_bands(EvaluateReport& report, const EvaluateOptions& options, const Band& band) {
     if (report.integral) {
         const Interval part{options.integral[0], options.integral[1]};
         report.integral_band = band.half(band.covariance->integral(part).deviation);
     }
     if (report.roots) report.roots_band.emplace();
     for (const double t : report.roots.value_or(std::vector<double>())) {
-        report.roots_band->push_back(half_of_place(curve, band, t, 0));
+        report.roots_band->push_back(half_of_place(band, t, 0));
     }
     if (report.extrema) report.extrema_band.emplace();
     for (const Extremum& e : report.extrema.value_or(std::vector<Extremum>())) {
-        report.extrema_band->push_back(half_of_place(curve, band, e.t, 1));
+        report.extrema_band->push_back(half_of_place(band, e.t, 1));
     }
+}
+
+/// Those of a spline with jumps include the jumps across 0.
+std::vector<double> roots_of(const Curve& curve) {
+    const SplineGraph* const graph = curve.shape<SplineGraph>();
+    return graph ? roots(graph->spline()) : roots(curve, curve.dim() - 1, 0);
+}
+
+void require_no_jumps(const Curve& curve, const EvaluateOptions& options) {
+    if (!has_jumps(curve) || (options.nearest.empty() && options.line.empty())) return;
+    throw Error("curve.jumps", "evaluate", "nearest or line",
+                "these are asked of curves without jumps");
 }
 
 EvaluateReport answers(const Curve& curve, const EvaluateOptions& options, const Band& band) {
@@ -206,9 +220,9 @@ EvaluateReport answers(const Curve& curve, const EvaluateOptions& options, const
         require_numbers(options.integral, 2, "must be two numbers A,B");
         report.integral = integral(curve, last, {options.integral[0], options.integral[1]});
     }
-    if (options.roots) report.roots = roots(curve, last, 0);
+    if (options.roots) report.roots = roots_of(curve);
     if (options.extrema) report.extrema = extrema(curve, last);
-    if (band.covariance) add_bands(report, curve, options, band);
+    if (band.covariance) add_bands(report, options, band);
     if (!options.nearest.empty()) report.nearest = nearest(curve, options.nearest);
     if (!options.line.empty()) {
         if (options.line.size() != 4) {
@@ -224,7 +238,7 @@ EvaluateReport answers(const Curve& curve, const EvaluateOptions& options, const
 
 Drawing picture(const Curve& curve, const std::vector<double>& t) {
     Drawing drawing;
-    drawing.add(CurveLayer{curve, {}, {}});
+    add_parts(drawing, curve);
     if (!t.empty()) drawing.add(TicksLayer{curve, t, {}});
     return drawing;
 }
@@ -245,12 +259,7 @@ Outcome run_surface(const Surface& surface, const EvaluateOptions& options) {
     if (!options.integral.empty()) {
         const std::vector<double>& p = options.integral;
         require_numbers(p, 4, "must be four numbers X0,X1,Y0,Y1");
-        const SplineSurface* product = std::get_if<SplineSurface>(&surface);
-        if (!product) {
-            throw Error("surface.option", "integral", "asked for",
-                        "surfaces with curved knot lines have no exact integral");
-        }
-        report.integral = integral(*product, {{p[0], p[1]}, {p[2], p[3]}});
+        report.integral = integral(surface, {{p[0], p[1]}, {p[2], p[3]}});
     }
     return {rows, Status::met, {}, report_value(report), [surface] {
                 return surface_picture(surface, usual_levels);
@@ -267,6 +276,7 @@ Outcome run(std::span<const Input> inputs, const EvaluateOptions& options) {
         throw Error("surface.option", "curvature", "asked for", "this is asked of surfaces");
     }
     const Curve& curve = curve_input(inputs);
+    require_no_jumps(curve, options);
     const std::vector<double> t = parameters(curve, options);
     const Band band = band_asked(curve, options);
     EvaluateReport report = answers(curve, options, band);
@@ -281,7 +291,7 @@ Outcome run(std::span<const Input> inputs, const EvaluateOptions& options) {
 Operation evaluate_row() {
     Operation evaluate =
         row<EvaluateOptions>({"evaluate", "points, derivatives, integrals, roots and extrema",
-                              InputKind::curve_or_surface, OutputKind::rows},
+                              InputKind::curve_or_surface, OutputKind::rows, false, true},
                              run);
     for (Field& field : evaluate.fields) {
         if (field.name == "band") field.bare = "95";

@@ -12,6 +12,7 @@
 #include "batten/base/text.hpp"
 #include "batten/io/write_points.hpp"
 #include "batten/make/fit_curve.hpp"
+#include "batten/shape/spline_graph.hpp"
 
 namespace batten::api {
 namespace {
@@ -41,7 +42,7 @@ void visit_fields(Options& o, Visit&& visit) {
 /// What follows from a fit, with deviations.
 struct FitFeatures {
     Uncertain integral;
-    std::vector<Uncertain> roots, extrema;
+    std::vector<UncertainPlace> roots, extrema;
 };
 
 template <class Visit>
@@ -162,26 +163,14 @@ Rows distance_rows(PointsView points, const CurveFit& made) {
     return rows;
 }
 
-bool is_continuous(const SplineFunction& spline) {
-    const std::size_t degree = static_cast<std::size_t>(spline.degree());
-    if (degree == 0) return spline.pieces() == 1;
-    const std::span<const double> t = spline.knots();
-    for (std::size_t j = 0; j + degree < t.size(); ++j) {
-        const bool is_inside = t[j] > spline.domain().lo && t[j] < spline.domain().hi;
-        if (is_inside && t[j] == t[j + degree]) return false;
+/// The spline as a curve, which may have jumps.
+Curve curve_of_fit(Fit& made) {
+    const Curve curve = graph_in_parts(made.spline);
+    if (has_jumps(curve)) {
+        made.report.notes.push_back("the spline has jumps: evaluate and draw take it, no operation "
+                                    "that follows a curve does");
     }
-    return true;
-}
-
-/// The spline as a curve, or its values where it has jumps, which no curve has.
-Output output_of(const FitData& data, Fit& made) {
-    if (is_continuous(made.spline)) {
-        const bool is_constant = made.spline.degree() == 0;
-        const Curve curve = graph(is_constant ? elevate_degree(made.spline) : made.spline);
-        return made.report.undetermined.empty() ? with_covariance(curve, made.covariance) : curve;
-    }
-    made.report.notes.push_back("the spline has jumps and is no curve: written as rows");
-    return residual_rows(data, made.spline);
+    return made.report.undetermined.empty() ? with_covariance(curve, made.covariance) : curve;
 }
 
 /// The columns that hold the points: picked, else those with the usual names, else as ever.
@@ -236,8 +225,8 @@ Outcome run(std::span<const Input> inputs, const FitTableOptions& asked) {
     made->report.notes.insert(made->report.notes.begin(), input.table.notes.begin(),
                               input.table.notes.end());
     note_lines_of_rejected(made->report, input.table);
-    Output output = output_of(*data, *made);
-    return {std::move(output), made->report.status, {}, report_of(*made),
+    const Curve curve = curve_of_fit(*made);
+    return {curve, made->report.status, {}, report_of(*made),
             [data, made, o = options.fit] { return fit_picture(*data, *made, o); },
             {}, [data, made] { return residual_rows(*data, made->spline); }};
 }

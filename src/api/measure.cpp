@@ -22,12 +22,12 @@ constexpr Tolerance usual_area_tolerance = relative(1e-9);
 
 Outcome run(std::span<const Input> inputs, const MeasureOptions& options) {
     if (inputs.size() == 1 && std::holds_alternative<Surface>(inputs.front().content)) {
-        const SplineSurface& surface = product_input(inputs);
+        const Surface& surface = surface_input(inputs);
         const bool is_usual = options.tolerance == MeasureOptions{}.tolerance;
         const SurfaceReport report =
             measure_surface(surface, is_usual ? usual_area_tolerance : options.tolerance);
         return {{}, report.status, {}, report_value(report), [surface] {
-                    return surface_picture(Surface(surface), usual_levels);
+                    return surface_picture(surface, usual_levels);
                 }};
     }
     const Curve& curve = curve_input(inputs);

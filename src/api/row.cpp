@@ -10,6 +10,7 @@
 #include "batten/base/text.hpp"
 #include "batten/io/table.hpp"
 #include "batten/io/write_points.hpp"
+#include "batten/shape/spline_graph.hpp"
 
 namespace batten::api {
 namespace {
@@ -30,6 +31,16 @@ SharedNumbers gathered(PointsView rows, int column) {
 
 }  // namespace
 
+void require_no_jumps(std::span<const Input> inputs, const std::vector<Setting>& settings) {
+    const auto require_none = [](const Curve* curve, const std::string& name) {
+        if (!curve || !has_jumps(*curve)) return;
+        throw Error("curve.jumps", name, "a spline with jumps",
+                    "this operation follows curves without jumps; evaluate and draw take it");
+    };
+    for (const Input& input : inputs) require_none(std::get_if<Curve>(&input.content), input.name);
+    for (const Setting& each : settings) require_none(std::get_if<Curve>(&each.value), each.name);
+}
+
 const Curve& curve_input(std::span<const Input> inputs) {
     const Input& input = single(inputs);
     const Curve* curve = std::get_if<Curve>(&input.content);
@@ -47,15 +58,6 @@ const PointsInput& points_input(std::span<const Input> inputs) {
 const Surface& surface_input(std::span<const Input> inputs) {
     const Surface* surface = std::get_if<Surface>(&single(inputs).content);
     if (!surface) throw Error("input.kind", "input", "no surface", "this operation takes a surface");
-    return *surface;
-}
-
-const SplineSurface& product_input(std::span<const Input> inputs) {
-    const SplineSurface* surface = std::get_if<SplineSurface>(&surface_input(inputs));
-    if (!surface) {
-        throw Error("input.kind", "input", "a surface with curved knot lines",
-                    "this operation takes a tensor product");
-    }
     return *surface;
 }
 

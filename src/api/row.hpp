@@ -20,7 +20,11 @@ struct Head {
     InputKind input;
     OutputKind output;
     bool many_inputs = false;
+    bool takes_jumps = false;  ///< curves with jumps too
 };
+
+/// Throws `curve.jumps` where one of the curves given has jumps.
+void require_no_jumps(std::span<const Input> inputs, const std::vector<Setting>& settings);
 
 /// A row from an options struct and `run(inputs, options) -> Outcome`; the outcome's options are
 /// filled in here, and options with a member `progress` get it.
@@ -32,8 +36,9 @@ Operation row(Head head, Outcome (*run)(std::span<const Input>, const Options&))
             head.many_inputs,
             head.output,
             describe<Options>(),
-            [run](std::span<const Input> inputs, const std::vector<Setting>& settings,
-                  const Progress& progress) {
+            [run, head](std::span<const Input> inputs, const std::vector<Setting>& settings,
+                        const Progress& progress) {
+                if (!head.takes_jumps) require_no_jumps(inputs, settings);
                 Options options = options_from<Options>(settings);
                 if constexpr (requires { options.progress; }) options.progress = progress;
                 Outcome outcome = run(inputs, options);
@@ -51,9 +56,6 @@ const PointsInput& points_input(std::span<const Input> inputs);
 
 /// The one surface of the inputs. Throws `input.kind`, `input.count`.
 const Surface& surface_input(std::span<const Input> inputs);
-
-/// The same where only a tensor product will do.
-const SplineSurface& product_input(std::span<const Input> inputs);
 
 /// The one grid of the inputs, read where it is still a file. Throws `input.kind`, `input.count`,
 /// and what parse_grid throws.

@@ -1,10 +1,12 @@
 #include <concepts>
 #include <optional>
 
+#include "api/curve_layers.hpp"
 #include "api/knot_marks.hpp"
 #include "api/row.hpp"
 #include "batten/base/text.hpp"
 #include "batten/shape/spline_function.hpp"
+#include "batten/shape/surface.hpp"
 
 namespace batten::api {
 namespace {
@@ -44,24 +46,24 @@ Drawing section_picture(const SplineFunction& cut, const Curve& curve,
     const Interval extent = extent_of(heights);
     Drawing drawing;
     drawing.title = "Section of the surface at " + line;
+    add_parts(drawing, curve);
     Panel& panel = drawing.panels.front();
     panel.kind = PanelKind::chart;
     panel.x_label = options.x ? "y" : "x";
     panel.y_label = "z";
-    panel.add(CurveLayer{curve, {}, {}});
     add_knot_marks(panel, cut, widened(extent, extent, 0));
     return drawing;
 }
 
 Outcome run(std::span<const Input> inputs, const SectionOptions& options) {
-    const SplineSurface& surface = product_input(inputs);
+    const Surface& surface = surface_input(inputs);
     if (options.x.has_value() == options.y.has_value()) {
         throw Error("surface.section", "section", options.x ? "x and y" : "neither x nor y",
                     "one of x and y tells where to cut");
     }
     const SplineFunction cut =
         options.x ? section_at_x(surface, *options.x) : section_at_y(surface, *options.y);
-    const Curve curve = graph(cut.degree() == 0 ? elevate_degree(cut) : cut);
+    const Curve curve = graph_in_parts(cut);
     const SectionReport report{options.x ? "z(y)" : "z(x)",
                                {cut.breaks().begin(), cut.breaks().end()}};
     return {curve, Status::met, {}, report_value(report), [cut, curve, options] {

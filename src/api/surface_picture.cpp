@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t relief_nodes = 37;
 constexpr std::size_t front_relief_nodes = 61;
-constexpr std::size_t level_nodes = 161;  // where lines are not traced on the surface itself
+constexpr std::size_t level_nodes = 161;  // of surfaces of steps, whose lines are not traced
 constexpr int picture_width = 960;
 
 /// Residuals in standard deviations: those of the file, else `sigma`.
@@ -44,12 +44,15 @@ std::vector<double> levels_in(const Heights& heights, int count) {
     return round_levels(Interval{*lo, *hi}, count);
 }
 
+bool has_level_lines(const Surface& surface) {
+    if (const auto* curved = std::get_if<CurvedKnotSurface>(&surface)) return curved->degree() > 0;
+    const SplineSurface& product = std::get<SplineSurface>(surface);
+    return std::min(product.x_basis().degree(), product.y_basis().degree()) > 0;
+}
+
 Panel levels_of(const Surface& surface, const std::vector<double>& levels) {
     const std::string caption = "lines of equal height";
-    const auto* spline = std::get_if<SplineSurface>(&surface);
-    if (spline && std::min(spline->x_basis().degree(), spline->y_basis().degree()) > 0) {
-        return level_plot(*spline, levels, caption);
-    }
+    if (has_level_lines(surface)) return level_plot(surface, levels, caption);
     return level_plot(sampled(surface, level_nodes), levels, caption);
 }
 
@@ -119,7 +122,7 @@ Drawing contour_map(const Rectangle& domain, const std::vector<Contour>& lines) 
     return drawing;
 }
 
-Drawing contour_picture(const SplineSurface& surface, const std::vector<Contour>& lines) {
+Drawing contour_picture(const Surface& surface, const std::vector<Contour>& lines) {
     std::vector<double> levels;
     for (const Contour& line : lines) {
         if (levels.empty() || levels.back() != line.level) levels.push_back(line.level);
@@ -128,7 +131,7 @@ Drawing contour_picture(const SplineSurface& surface, const std::vector<Contour>
     drawing.width = picture_width;
     drawing.panels = {relief_of(seen(surface), levels)};
     if (lines.empty()) return drawing;
-    Panel map = contour_map(surface.domain(), lines).panels.front();
+    Panel map = contour_map(domain_of(surface), lines).panels.front();
     map.caption = "lines of equal height";
     drawing.panels.insert(drawing.panels.begin(), std::move(map));
     return drawing;

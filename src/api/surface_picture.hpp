@@ -18,7 +18,7 @@ Drawing surface_picture(const Surface& surface, int levels);
 
 /// Level lines as a map; and the same upon the surface.
 Drawing contour_map(const Rectangle& domain, const std::vector<Contour>& lines);
-Drawing contour_picture(const SplineSurface& surface, const std::vector<Contour>& lines);
+Drawing contour_picture(const Surface& surface, const std::vector<Contour>& lines);
 
 /// Four panels under a title and what the fit came to: the data under the knot lines, level lines, the surface in space, residuals.
 Drawing surface_fit_picture(const SurfaceFit& fit, const GridFile& grid);

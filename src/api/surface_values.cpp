@@ -46,13 +46,14 @@ Points places_of(const Surface& surface, const SurfaceQuestions& questions) {
     return places;
 }
 
-const SplineSurface& product_of(const Surface& surface) {
-    if (const auto* product = std::get_if<SplineSurface>(&surface)) return *product;
-    throw Error("surface.derivative", "curvature", "asked for",
-                "a surface with curved knot lines has values only");
-}
-
-std::string patches_json(const SplineSurface& surface) {
+std::string patches_json(const Surface& any) {
+    const SplineSurface* const product = std::get_if<SplineSurface>(&any);
+    if (!product) {
+        throw Error("surface.patches", "format", "patches",
+                    "between curved knot lines a surface is no polynomial of x and y: take json, "
+                    "which is exact, or a mesh (obj, ply, stl)");
+    }
+    const SplineSurface& surface = *product;
     ValueList list;
     for (const BezierPatch& patch : bezier_patches(surface)) {
         const Rectangle& p = patch.part;
@@ -83,7 +84,7 @@ Rows surface_rows(const Surface& surface, const SurfaceQuestions& questions) {
         std::vector<double> row{x, y};
         for (const Partial p : partials) row.push_back(height_at(surface, x, y, p));
         if (questions.curvature) {
-            const GraphBend bend = graph_bend(product_of(surface), x, y);
+            const GraphBend bend = graph_bend(surface, x, y);
             row.insert(row.end(), bend.normal.begin(), bend.normal.end());
             row.insert(row.end(), {bend.gaussian, bend.mean});
         }
@@ -96,17 +97,12 @@ std::vector<OutputForm> surface_forms(const Surface& surface, std::vector<double
                                       std::vector<double> y) {
     const MeshPlaces places{std::move(x), std::move(y)};
     const auto heights = [surface, places] { return heights_on(surface, places.x, places.y); };
-    std::vector<OutputForm> forms{
-        {"csv", [=] { return csv_grid(places.x, places.y, heights()); }},
-        {"npy", [=] { return npy_grid(heights()); }}};
-    const SplineSurface* product = std::get_if<SplineSurface>(&surface);
-    if (!product) return forms;
-    const SplineSurface mesh = *product;
-    forms.push_back({"obj", [=] { return obj_mesh(mesh, places); }});
-    forms.push_back({"patches", [=] { return patches_json(mesh); }});
-    forms.push_back({"ply", [=] { return ply_mesh(mesh, places); }});
-    forms.push_back({"stl", [=] { return stl_mesh(mesh, places); }});
-    return forms;
+    return {{"csv", [=] { return csv_grid(places.x, places.y, heights()); }},
+            {"npy", [=] { return npy_grid(heights()); }},
+            {"obj", [=] { return obj_mesh(surface, places); }},
+            {"patches", [=] { return patches_json(surface); }},
+            {"ply", [=] { return ply_mesh(surface, places); }},
+            {"stl", [=] { return stl_mesh(surface, places); }}};
 }
 
 }  // namespace batten::api

@@ -19,7 +19,8 @@ struct SurfaceQuestions {
 Rows surface_rows(const Surface& surface, const SurfaceQuestions& questions);
 
 /// Grid and mesh forms of a surface on the given lines: csv, npy, obj, ply, stl; and `patches`, the
-/// Bezier patches as JSON. Surfaces with curved knot lines: csv and npy.
+/// Bezier patches as JSON. Throws `surface.patches` when those of a surface with curved knot lines
+/// are asked for.
 std::vector<OutputForm> surface_forms(const Surface& surface, std::vector<double> x,
                                       std::vector<double> y);
 

@@ -6,6 +6,7 @@
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
+#include "batten/shape/spline_graph.hpp"
 
 namespace batten {
 namespace {
@@ -80,7 +81,7 @@ Curve scaled(const Curve& curve, double factor) {
 
 std::optional<PiecewiseCubic> exact_cubic(const Curve& curve) {
     if (const PiecewiseCubic* same = curve.shape<PiecewiseCubic>()) return *same;
-    if (!curve.degree() || *curve.degree() > 3) return std::nullopt;
+    if (!curve.degree() || *curve.degree() > 3 || has_jumps(curve)) return std::nullopt;
     const std::span<const double> breaks = curve.breaks();
     const std::size_t joints = breaks.size();
     const std::size_t dim = static_cast<std::size_t>(curve.dim());

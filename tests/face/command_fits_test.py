@@ -4,6 +4,7 @@ usage: command_fits_test.py COMMAND SOURCE_FOLDER
 """
 
 import json
+import math
 import os
 
 from command_folder import Folder, fits, main, points
@@ -151,6 +152,53 @@ class Fits(Folder):
                 says=("d.csv row 7", "column x"))
         refused("table.unknown-column", table(good), "--y", "height")
         refused("table.unknown-column", table(good), "--sigma", "error")
+
+    def test_a_spline_with_jumps_is_read_again(self):
+        rows = ["x,y,sigma"]
+        for k in range(200):
+            x = k / 199
+            noise = 0.05 * math.sin(37.0 * k * k)
+            rows.append(f"{x},{(2 if x > 0.4 else -1) + noise},0.05")
+        data = self.file("step.csv", "\n".join(rows) + "\n")
+        self.good("fit", data, "--knots", "pruned", "-o", self.path("step.json"))
+        with open(self.path("step.json"), encoding="utf-8") as stream:
+            self.assertEqual(json.load(stream)["kind"], "b-spline-graph")
+        self.good("evaluate", self.path("step.json"), "--at", "0.2,0.8", "--derivatives", "1",
+                  "--band", "-o", self.path("at.csv"))
+        with open(self.path("at.csv"), encoding="utf-8") as stream:
+            low, high = [[float(c) for c in line.split(",")] for line in stream.read().split()[1:]]
+        self.assertAlmostEqual(low[2], -1, delta=0.1)
+        self.assertAlmostEqual(high[2], 2, delta=0.1)
+        answers = self.report("evaluate", self.path("step.json"), "--integral", "0,1", "--roots",
+                              "--extrema", "--band", "--draw", self.path("step.svg"))["report"]
+        self.assertAlmostEqual(answers["integral"], 0.6 * 2 - 0.4, delta=0.03)
+        self.assertEqual(len(answers["roots"]), 1)
+        self.assertAlmostEqual(answers["roots"][0], 0.4, delta=0.01)
+        self.assertEqual(answers["roots_band"], [None])
+        self.good("draw", self.path("step.json"), "-o", self.path("drawn.svg"))
+        self.refused("curve.jumps", "measure", self.path("step.json"), says=["evaluate and draw"])
+        self.refused("curve.jumps", "fit", data, "--knots", "pruned", "-o", self.path("step.svg2"),
+                     "--format", "svg")
+        self.good("fit", data, "--degree", "0", "--knots", "equal", "--intervals", "5", "-o",
+                  self.path("steps.json"))
+        self.good("evaluate", self.path("steps.json"), "--count", "7", "-o", self.path("steps.csv"))
+
+    def test_a_corner_is_known_as_its_knot_is(self):
+        rows = ["x,y,sigma"]
+        for k in range(300):
+            x = k / 299
+            rows.append(f"{x},{2 - 5 * abs(x - 0.4) + 0.05 * math.sin(91.0 * k * k)},0.05")
+        data = self.file("corner.csv", "\n".join(rows) + "\n")
+        report = self.report("fit", data, "--knots", "pruned", "-o",
+                             self.path("corner.json"))["report"]
+        top = min(report["extrema"], key=lambda e: abs(e["value"] - 0.4))
+        self.assertAlmostEqual(top["value"], 0.4, delta=0.01)
+        self.assertIsNone(top["deviation"])
+        answers = self.report("evaluate", self.path("corner.json"), "--extrema",
+                              "--band")["report"]
+        at = min(range(len(answers["extrema"])),
+                 key=lambda k: abs(answers["extrema"][k]["t"] - 0.4))
+        self.assertIsNone(answers["extrema_band"][at])
 
 
 if __name__ == "__main__":

@@ -35,6 +35,72 @@ class Surfaces(Folder):
         for form in ("csv", "svg", "dxf"):
             self.good("contour", self.path("s.json"), "-o", self.path("c." + form))
 
+    def front(self):
+        """A surface whose knot lines follow the front x = 0.4 + 0.2 y^2."""
+        rows = ["," + ",".join(str(j / 20) for j in range(21))]
+        for i in range(41):
+            heights = [math.tanh((i / 40 - 0.4 - 0.2 * (j / 20) ** 2) / 0.1) for j in range(21)]
+            rows.append(",".join(str(z) for z in [i / 40] + heights))
+        lines = ["y,X1,X2,X3,X4,X5"]
+        for j in range(5):
+            y = j / 4
+            lines.append(",".join(str(v) for v in [y] + [0.4 + 0.2 * y * y + o
+                                                          for o in (-0.2, -0.1, 0, 0.1, 0.2)]))
+        self.good("fit-surface", self.file("front.csv", "\n".join(rows) + "\n"), "--sigma", "0.01",
+                  "--lines", self.file("lines.csv", "\n".join(lines) + "\n"), "-o",
+                  self.path("front.json"), "--draw", self.path("front.svg"))
+        return self.path("front.json")
+
+    def numbers(self, name):
+        with open(self.path(name), encoding="utf-8") as stream:
+            lines = stream.read().split()
+        return [dict(zip(lines[0].split(","), map(float, line.split(",")))) for line in lines[1:]]
+
+    def test_every_verb_takes_a_surface_with_curved_knot_lines(self):
+        front = self.front()
+        self.good("evaluate", front, "--at", "0.5,0.3", "--derivatives", "2", "--curvature", "-o",
+                  self.path("at.csv"))
+        at = self.numbers("at.csv")[0]
+        self.good("evaluate", front, "--at", "0.5,0.300001", "--derivatives", "1", "-o",
+                  self.path("near.csv"))
+        near = self.numbers("near.csv")[0]
+        self.assertAlmostEqual((near["z"] - at["z"]) / 1e-6, at["z_y"], delta=1e-3)
+        self.assertAlmostEqual((near["z_y"] - at["z_y"]) / 1e-6, at["z_yy"], delta=1e-2)
+        length = math.hypot(1, at["z_x"], at["z_y"])
+        self.assertAlmostEqual(at["nz"], 1 / length, places=12)
+
+        whole = self.report("evaluate", front, "--integral", "0,1,0,1")["report"]["integral"]
+        # Of tanh((x - phi) / w) over x from 0 to 1, then over y, by the rule of the middles.
+        w, exact = 0.1, 0.0
+        for k in range(1000):
+            phi = 0.4 + 0.2 * ((k + 0.5) / 1000) ** 2
+            exact += w * math.log(math.cosh((1 - phi) / w) / math.cosh(phi / w)) / 1000
+        self.assertAlmostEqual(whole, exact, delta=2e-3)
+        measured = self.report("measure", front)["report"]
+        self.assertAlmostEqual(measured["integral"], whole, places=12)
+        self.assertGreater(measured["area"], 2)
+
+        line = self.report("contour", front, "--levels", "0", "-o", self.path("line.json"),
+                           "--draw", self.path("line.svg"))["report"]["lines"]
+        self.assertEqual(len(line), 1)
+        # The arc length of x = 0.4 + 0.2 y^2 over y from 0 to 1.
+        arc = 0.5 * math.sqrt(1.16) + math.asinh(0.4) / 0.8
+        self.assertAlmostEqual(line[0]["length"], arc, delta=2e-3)
+
+        for cut, place in (("--y", "y"), ("--x", "x")):
+            self.good("section", front, cut, "0.45", "-o", self.path("cut.json"))
+            self.good("evaluate", self.path("cut.json"), "--at", "0.3,0.6", "-o",
+                      self.path("cut.csv"))
+            for row in self.numbers("cut.csv"):
+                x, y = (row["t"], 0.45) if place == "y" else (0.45, row["t"])
+                self.good("evaluate", front, "--at", f"{x},{y}", "-o", self.path("one.csv"))
+                self.assertAlmostEqual(row["y"], self.numbers("one.csv")[0]["z"], places=7)
+
+        for form in ("csv", "npy", "obj", "ply", "stl", "json"):
+            self.good("convert", front, "--count", "21", "-o", self.path("f." + form))
+        self.refused("surface.patches", "convert", front, "--format", "patches", "-o",
+                     self.path("p.json"), says=["no polynomial"])
+
     def test_a_grid_read_in_blocks_gives_the_same_surface(self):
         lines = ["--knots", "equal", "--intervals", "3,2", "--sigma", "0.01"]
         self.good("fit-surface", self.grid(), *lines, "-o", self.path("heights.npy"))

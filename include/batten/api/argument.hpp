@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "batten/api/operation.hpp"
 #include "batten/base/value.hpp"
 
@@ -12,6 +15,10 @@ namespace batten {
 /// Throws `option.value` where the option takes nothing of this kind, and for rows and curves what
 /// parse_table and curve_of throw. The value itself is checked by the operation.
 Argument argument_of(const Field& field, const Value& value);
+
+/// The columns of `table` that an option takes: all of them where it takes a table, else the
+/// coordinates. Throws what coordinate_columns throws.
+std::vector<int> columns_for(const Field& field, const Table& table);
 
 /// Rows of numbers, or a `batten.curve/1` tree, as an input of the operation, called `name`. The
 /// coordinates are the columns that `picks` names (coordinate_columns); an operation on tables

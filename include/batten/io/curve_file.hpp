@@ -11,7 +11,8 @@ namespace batten {
 /// The tree of a `batten.curve/1` file, as docs/formats.md describes it: every number of the curve,
 /// exact.
 ///
-/// Piecewise cubics, B-splines, log-aesthetic curves and chains of arcs keep their kind; any other
+/// Piecewise cubics, B-splines, graphs of splines with jumps, log-aesthetic curves and chains of
+/// arcs keep their kind; any other
 /// curve whose pieces are polynomials of degree 3 or less is written as piecewise cubics by its
 /// derivatives at the starts of the pieces.
 /// Throws `curve.not-exact` for all others, `number.overflow` where a coefficient is beyond a
@@ -24,7 +25,7 @@ Value curve_value(const Curve& curve, const std::string& name = {});
 /// are ignored.
 ///
 /// Throws `curve.format`, `curve.kind`, `curve.entry` (an entry is missing or of the wrong type or
-/// size), `curve.breaks`, and what BSplineBasis, BSplineCurve and ArcChain throw.
+/// size), `curve.breaks`, and what BSplineBasis, BSplineCurve, SplineFunction and ArcChain throw.
 Curve curve_of(const Value& tree, const std::string& place);
 
 /// The curve in `source`: a `batten.curve/1` file, the first path of an SVG picture, or bare SVG

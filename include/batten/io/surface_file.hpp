@@ -33,16 +33,19 @@ Surface read_surface(const std::string& path);
 bool is_surface(const Value& tree);
 bool holds_surface(const Source& source);
 
-/// Points of a surface as a mesh of two triangles a cell, seen from above counter-clockwise.
+/// Points of a surface as a mesh of two triangles a cell, seen from above counter-clockwise: at
+/// these places; where knot lines are curved, on lines that follow them (three columns between two
+/// of them at least, where there are lines enough), about as many as there are places across, so
+/// that fronts are sharp. Where the surface jumps both sides are joined by an upright wall.
 struct MeshPlaces {
     std::vector<double> x, y;
 };
 /// Wavefront OBJ: vertices with normals, quadrilaterals.
-std::string obj_mesh(const SplineSurface& surface, const MeshPlaces& places);
+std::string obj_mesh(const Surface& surface, const MeshPlaces& places);
 /// STL, binary: single precision, as the format asks. Throws `number.overflow`.
-std::string stl_mesh(const SplineSurface& surface, const MeshPlaces& places);
+std::string stl_mesh(const Surface& surface, const MeshPlaces& places);
 /// PLY, binary little endian, vertices in double precision.
-std::string ply_mesh(const SplineSurface& surface, const MeshPlaces& places);
+std::string ply_mesh(const Surface& surface, const MeshPlaces& places);
 
 /// The same of a grid of points in space (3 values a node, none missing); OBJ without normals.
 std::string obj_mesh(const GridView& nodes);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,19 @@ template <class Visit>
 void visit_fields(const Uncertain& r, Visit&& visit) {
     visit("value", r.value, "the number");
     visit("deviation", r.deviation, "its standard deviation");
+}
+
+/// A place that follows from a fit. No deviation where it is a knot across which jumps what is 0
+/// there (the corner of an extremum, a jump over a level): it is known as the knot is.
+struct UncertainPlace {
+    double value = 0;
+    std::optional<double> deviation;
+};
+
+template <class Visit>
+void visit_fields(const UncertainPlace& r, Visit&& visit) {
+    visit("value", r.value, "the place");
+    visit("deviation", r.deviation, "its standard deviation; none at a corner or a jump");
 }
 
 /// The covariance of a fit's coefficients: Cov c = scale^2 (A^T W A)^-1, A the B-splines at the
@@ -46,10 +60,15 @@ public:
     double covariance(std::size_t i, std::size_t j) const;
     /// The integral over `part`, inside the domain. Cost: O(p degree).
     Uncertain integral(Interval part) const;
-    /// The crossings of `level`, each with the deviation |dS| / |S'| of its place.
-    std::vector<Uncertain> roots(double level = 0) const;
-    /// The places of the extrema, each with the deviation |dS'| / |S''|.
-    std::vector<Uncertain> extrema() const;
+    /// Of the place `x` where the derivative of that order (0: the value) has a given number: its
+    /// deviation over the size of the next derivative; none where that is 0, and at a knot where
+    /// the derivative itself jumps.
+    std::optional<double> deviation_of_place(double x, int derivative) const;
+    /// The crossings of `level`, each with the deviation |dS| / |S'| of its place; touchings are
+    /// left out.
+    std::vector<UncertainPlace> roots(double level = 0) const;
+    /// The places of the extrema, each with the deviation |dS'| / |S''|; flat ones are left out.
+    std::vector<UncertainPlace> extrema() const;
     /// The `count` abscissae, one after the other, where one more measurement with the error
     /// `sigma` lowers the mean variance of S over the domain most; chosen among 8 a piece.
     /// Cost: O(count pieces p degree).

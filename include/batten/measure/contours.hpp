@@ -5,7 +5,7 @@
 #include "batten/base/interval.hpp"
 #include "batten/base/tolerance.hpp"
 #include "batten/shape/curve.hpp"
-#include "batten/shape/spline_surface.hpp"
+#include "batten/shape/surface.hpp"
 
 namespace batten {
 
@@ -23,15 +23,18 @@ struct Contour {
 ///         that of the signs on a lattice, `8 a knot interval` and 64 a side at least. Hills and
 ///         islands smaller than a cell of it can be missed; saddles between are told by their
 ///         middle.
+/// The lattice follows curved knot lines (of both directions: those of y); a line stays with the
+/// function of its own cell, so that fronts are sharp. Where the surface jumps at a level the line
+/// runs along the jump, as exact as the joints there are close.
 /// Where the surface is flat at the level, the border of what is above.
 /// Cost:   one evaluation of the lattice and about 10 values a joint.
 /// Throws: `surface.degree` for degree 0, `number.overflow`.
 /// Source: marching squares [LorensenCline1987], each crossing found on the spline itself.
-std::vector<Contour> contours(const SplineSurface& surface, double level,
+std::vector<Contour> contours(const Surface& surface, double level,
                               Tolerance tolerance = relative(1e-6));
 
 /// `count` round levels inside the range of the surface on a lattice.
-std::vector<double> round_levels(const SplineSurface& surface, int count);
+std::vector<double> round_levels(const Surface& surface, int count);
 
 /// The same inside of a range of heights.
 std::vector<double> round_levels(Interval heights, int count);

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "batten/shape/spline_surface.hpp"
+#include "batten/shape/surface.hpp"
 
 namespace batten {
 
@@ -18,8 +18,8 @@ struct GraphBend {
 /// Accuracy: a few ulps of the second derivatives. Throws nothing.
 /// Source: [DoCarmo1976, 3.3, example 5].
 GraphBend graph_bend(const HeightJet& jet);
-inline GraphBend graph_bend(const SplineSurface& surface, double x, double y) {
-    return graph_bend(surface.jet(x, y));
+inline GraphBend graph_bend(const Surface& surface, double x, double y) {
+    return graph_bend(jet_at(surface, x, y));
 }
 
 }  // namespace batten

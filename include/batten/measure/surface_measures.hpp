@@ -7,7 +7,7 @@
 #include "batten/base/fields.hpp"
 #include "batten/base/tolerance.hpp"
 #include "batten/measure/measured.hpp"
-#include "batten/shape/spline_surface.hpp"
+#include "batten/shape/surface.hpp"
 
 namespace batten {
 
@@ -60,14 +60,15 @@ void visit_fields(const SurfaceReport& r, Visit&& visit) {
 /// nodes on a patch and on its quarters, agree within the patch's share of `tolerance` (relative:
 /// of the area of the domain), at most 5 times.
 ///
-/// Where the slopes are beyond 1e150, infinite.
-Measured surface_area(const SplineSurface& surface, Tolerance tolerance = relative(1e-9));
+/// Patches lie between neighbouring knot lines, curved ones too; walls where a surface jumps are no
+/// part of the graph. Where the slopes are beyond 1e150, infinite.
+Measured surface_area(const Surface& surface, Tolerance tolerance = relative(1e-9));
 
 /// All numbers at once. Ranges: the extreme of a lattice of 5 x 5 places a patch, then steps along
 /// and across, halved until they are 1e-9 of a patch: local extremes that the lattice sees; second
 /// derivatives are those of the patch to the right where knots make them jump.
 ///
 /// `not_met` where the area's error is beyond `tolerance`. Cost: about 100 evaluations a patch.
-SurfaceReport measure_surface(const SplineSurface& surface, Tolerance tolerance = relative(1e-9));
+SurfaceReport measure_surface(const Surface& surface, Tolerance tolerance = relative(1e-9));
 
 }  // namespace batten

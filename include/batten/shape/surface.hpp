@@ -13,12 +13,19 @@ using Surface = std::variant<SplineSurface, CurvedKnotSurface>;
 
 Rectangle domain_of(const Surface& surface);
 
-/// The height, or a derivative. Throws `surface.derivative` for derivatives where knot lines are
-/// curved.
+/// The height, or a derivative. Throws what CurvedKnotSurface throws.
 double height_at(const Surface& surface, double x, double y, Partial derivative = {});
+
+/// The height, its first and its second derivatives.
+HeightJet jet_at(const Surface& surface, double x, double y);
 
 /// The same on a grid, x.size() x y.size(), x and y rising.
 Grid heights_on(const Surface& surface, std::span<const double> x, std::span<const double> y,
                 Partial derivative = {});
+
+/// As for the surface it is.
+double integral(const Surface& surface, const Rectangle& part);
+SplineFunction section_at_y(const Surface& surface, double y);
+SplineFunction section_at_x(const Surface& surface, double x);
 
 }  // namespace batten

@@ -1,6 +1,7 @@
 #include "batten/api/argument.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -78,13 +79,20 @@ GridFile grid_of(const ValueList& rows, const std::string& name) {
 
 }  // namespace
 
+std::vector<int> columns_for(const Field& field, const Table& table) {
+    if (field.kind != FieldKind::table) return coordinate_columns(table);
+    std::vector<int> all(static_cast<std::size_t>(table.columns()));
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+}
+
 Argument argument_of(const Field& field, const Value& value) {
     const bool takes_rows = field.kind == FieldKind::table || field.kind == FieldKind::shape;
     if (const ValueList* list = value.list()) {
         if (!takes_rows) return list_argument(field, *list);
         const Table table = table_of(value, field.name);
         if (table.columns() == 1) return Points(column_values(table, 0), 1);
-        return points_of(table, coordinate_columns(table));
+        return points_of(table, columns_for(field, table));
     }
     if (value.map()) {
         if (field.kind != FieldKind::shape) refuse_value(field, "a map");

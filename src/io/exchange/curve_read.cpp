@@ -10,6 +10,7 @@
 #include "batten/shape/arc_chain.hpp"
 #include "batten/shape/bspline.hpp"
 #include "batten/shape/log_aesthetic.hpp"
+#include "batten/shape/spline_graph.hpp"
 #include "batten/make/fit_bands.hpp"
 #include "io/exchange/curve_covariance.hpp"
 #include "io/exchange/entries.hpp"
@@ -107,6 +108,15 @@ Curve read_bspline(const Entries& entries) {
     return BSplineCurve(std::move(basis), points, std::move(weights));
 }
 
+Curve read_graph(const Entries& entries) {
+    return graph_in_parts({entries.numbers("knots"), entries.numbers("coefficients"),
+                           entries.whole("degree")});
+}
+
+Curve with_fit(const Curve& curve, const Entries& entries) {
+    return entries.has("fit") ? with_covariance(curve, exchange::covariance_in(entries)) : curve;
+}
+
 Curve read_arcs(const Entries& entries) {
     Points points = entries.points("points");
     std::vector<double> bulges = entries.numbers("bulges");
@@ -158,11 +168,8 @@ Curve curve_of(const Value& tree, const std::string& place) {
     const std::string name = kind && kind->text() ? *kind->text() : std::string();
     try {
         if (name == "piecewise-cubic") return read_cubic(entries);
-        if (name == "b-spline") {
-            Curve curve = read_bspline(entries);
-            return entries.has("fit") ? with_covariance(curve, exchange::covariance_in(entries))
-                                      : curve;
-        }
+        if (name == "b-spline") return with_fit(read_bspline(entries), entries);
+        if (name == "b-spline-graph") return with_fit(read_graph(entries), entries);
         if (name == "arcs") return read_arcs(entries);
         if (name == "log-aesthetic") return read_log_aesthetic(entries);
     } catch (const Error& error) {
@@ -170,7 +177,7 @@ Curve curve_of(const Value& tree, const std::string& place) {
         throw is_placed ? error : error.at(place + ", " + error.place());
     }
     throw Error("curve.kind", entries.place("kind"), shown(kind),
-                "piecewise-cubic, b-spline, arcs or log-aesthetic is needed here");
+                "piecewise-cubic, b-spline, b-spline-graph, arcs or log-aesthetic is needed here");
 }
 
 Curve parse_curve(const Source& source) {

@@ -5,6 +5,7 @@
 #include "batten/shape/arc_chain.hpp"
 #include "batten/shape/bspline.hpp"
 #include "batten/shape/log_aesthetic.hpp"
+#include "batten/shape/spline_graph.hpp"
 #include "batten/shape/transform.hpp"
 #include "io/exchange/curve_covariance.hpp"
 
@@ -74,6 +75,21 @@ Value bspline_value(const BSplineCurve& curve, const std::string& name) {
     return map;
 }
 
+Value graph_value(const SplineFunction& spline, const std::string& name) {
+    ValueMap map = heading("b-spline-graph", name);
+    map.emplace_back("degree", spline.degree());
+    map.emplace_back("knots", numbers(spline.knots()));
+    map.emplace_back("coefficients", numbers(spline.coefficients()));
+    return map;
+}
+
+Value with_fit(Value value, const Curve& curve) {
+    if (const FitCovariance* covariance = covariance_of(curve)) {
+        value.map()->emplace_back("fit", exchange::covariance_value(*covariance));
+    }
+    return value;
+}
+
 Value arcs_value(const ArcChain& chain, const std::string& name) {
     ValueMap map = heading("arcs", name);
     map.emplace_back("dimension", 2);
@@ -100,11 +116,10 @@ Value log_aesthetic_value(const LogAestheticCurve& curve, const std::string& nam
 
 Value curve_value(const Curve& curve, const std::string& name) {
     if (const BSplineCurve* bspline = curve.shape<BSplineCurve>()) {
-        Value value = bspline_value(*bspline, name);
-        if (const FitCovariance* covariance = covariance_of(curve)) {
-            value.map()->emplace_back("fit", exchange::covariance_value(*covariance));
-        }
-        return value;
+        return with_fit(bspline_value(*bspline, name), curve);
+    }
+    if (const SplineGraph* graph = curve.shape<SplineGraph>()) {
+        return with_fit(graph_value(graph->spline(), name), curve);
     }
     if (const ArcChain* chain = curve.shape<ArcChain>()) return arcs_value(*chain, name);
     if (const LogAestheticCurve* arcs = curve.shape<LogAestheticCurve>()) {

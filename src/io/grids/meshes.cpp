@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -6,11 +8,22 @@
 #include "batten/base/text.hpp"
 #include "batten/io/surface_file.hpp"
 #include "batten/measure/graph_bend.hpp"
+#include "shape/surface/sheet.hpp"
 
 namespace batten {
 namespace {
 
+using surfaces::Sheet;
+using surfaces::SheetLine;
 using Corner = std::array<double, 3>;
+
+constexpr std::size_t least_columns = 3;  // between two knot lines, where there are enough
+
+/// A place, and the surface there.
+struct SurfacePoint {
+    double x = 0, y = 0;
+    HeightJet jet;
+};
 
 /// Bytes of a number, low ones first, on every machine.
 template <class Number>
@@ -50,28 +63,89 @@ void append_triangle(std::string& to, const Corner& a, const Corner& b, const Co
     to.append(2, '\0');
 }
 
-/// The points of the surface over these places.
-Grid nodes_of(const SplineSurface& surface, const MeshPlaces& places) {
-    const Grid z = surface.evaluate(places.x, places.y);
-    Grid nodes(z.nu(), z.nv(), 3);
-    for (std::size_t i = 0; i < z.nu(); ++i) {
-        for (std::size_t j = 0; j < z.nv(); ++j) {
-            nodes(i, j, 0) = places.x[i];
-            nodes(i, j, 1) = places.y[j];
-            nodes(i, j, 2) = z(i, j);
+/// Columns of each interval: about `lines` lines in all, closer where knot lines are.
+std::vector<std::size_t> columns_of(const Sheet& sheet, std::span<const double> rows,
+                                    std::size_t lines) {
+    const std::vector<std::size_t>& intervals = sheet.intervals();
+    std::vector<double> widths(intervals.size(), 0.0);
+    for (const double y : rows) {
+        const std::vector<double> knots = sheet.knots(y);
+        for (std::size_t k = 0; k < intervals.size(); ++k) {
+            widths[k] += knots[intervals[k] + 1] - knots[intervals[k]];
         }
     }
-    return nodes;
+    const double whole = sheet.domain().x.length() * static_cast<double>(rows.size());
+    const std::size_t least =
+        std::clamp<std::size_t>((lines - 1) / intervals.size(), 1, least_columns);
+    std::vector<std::size_t> each;
+    for (const double width : widths) {
+        const double share = std::round(width / whole * static_cast<double>(lines - 1));
+        each.push_back(std::max(least, static_cast<std::size_t>(share)));
+    }
+    return each;
+}
+
+/// The nodes of a mesh and the unit normals there.
+struct MeshNodes {
+    Grid nodes, normals;
+};
+
+MeshNodes no_nodes(std::size_t nu, std::size_t nv) { return {Grid(nu, nv, 3), Grid(nu, nv, 3)}; }
+
+/// What node (i, j) is; `jet` has derivatives by x and y.
+void put(MeshNodes& mesh, std::size_t i, std::size_t j, const SurfacePoint& at) {
+    const std::array<double, 3> normal = graph_bend(at.jet).normal;
+    const double point[] = {at.x, at.y, at.jet.value};
+    for (int k = 0; k < 3; ++k) {
+        mesh.nodes(i, j, k) = point[k];
+        mesh.normals(i, j, k) = normal[static_cast<std::size_t>(k)];
+    }
+}
+
+/// Nodes on lines that follow the knot lines, both sides of walls among them.
+MeshNodes nodes_along_lines(const Sheet& sheet, const MeshPlaces& places) {
+    const bool turned = sheet.is_transposed();
+    const std::vector<double>& rows = turned ? places.x : places.y;
+    const std::size_t across = turned ? places.y.size() : places.x.size();
+    const std::vector<SheetLine> lines = sheet.lines(columns_of(sheet, rows, across));
+    MeshNodes mesh = turned ? no_nodes(rows.size(), lines.size())
+                            : no_nodes(lines.size(), rows.size());
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+        const std::vector<double> knots = sheet.knots(rows[r]);
+        for (std::size_t c = 0; c < lines.size(); ++c) {
+            const double x = Sheet::place(lines[c], knots);
+            HeightJet jet = sheet.jet_in(Sheet::home_of(lines, c, knots), x, rows[r]);
+            if (turned) {
+                jet = {jet.value, jet.y, jet.x, jet.yy, jet.xy, jet.xx};
+                put(mesh, r, c, {rows[r], x, jet});
+            } else {
+                put(mesh, c, r, {x, rows[r], jet});
+            }
+        }
+    }
+    return mesh;
+}
+
+MeshNodes nodes_of(const Surface& surface, const MeshPlaces& places) {
+    const auto* product = std::get_if<SplineSurface>(&surface);
+    if (!product) return nodes_along_lines(Sheet(surface), places);
+    MeshNodes mesh = no_nodes(places.x.size(), places.y.size());
+    for (std::size_t i = 0; i < places.x.size(); ++i) {
+        for (std::size_t j = 0; j < places.y.size(); ++j) {
+            put(mesh, i, j, {places.x[i], places.y[j], product->jet(places.x[i], places.y[j])});
+        }
+    }
+    return mesh;
 }
 
 Corner corner_of(const GridView& nodes, std::size_t i, std::size_t j) {
     return {nodes(i, j, 0), nodes(i, j, 1), nodes(i, j, 2)};
 }
 
-void append_vertices(std::string& text, const GridView& nodes) {
+void append_vectors(std::string& text, const char* name, const GridView& nodes) {
     for (std::size_t i = 0; i < nodes.nu(); ++i) {
         for (std::size_t j = 0; j < nodes.nv(); ++j) {
-            text += 'v';
+            text += name;
             for (const double x : corner_of(nodes, i, j)) text += ' ' + format_number(x);
             text += '\n';
         }
@@ -96,32 +170,25 @@ void append_faces(std::string& text, const GridView& nodes, Name name) {
 
 }  // namespace
 
-std::string obj_mesh(const SplineSurface& surface, const MeshPlaces& places) {
-    const Grid nodes = nodes_of(surface, places);
+std::string obj_mesh(const Surface& surface, const MeshPlaces& places) {
+    const MeshNodes mesh = nodes_of(surface, places);
     std::string text;
-    append_vertices(text, nodes);
-    for (const double x : places.x) {
-        for (const double y : places.y) {
-            text += "vn";
-            for (const double part : graph_bend(surface, x, y).normal) {
-                text += ' ' + format_number(part);
-            }
-            text += '\n';
-        }
-    }
-    append_faces(text, nodes, [](const std::string& number) { return number + "//" + number; });
+    append_vectors(text, "v", mesh.nodes);
+    append_vectors(text, "vn", mesh.normals);
+    append_faces(text, mesh.nodes,
+                 [](const std::string& number) { return number + "//" + number; });
     return text;
 }
 
 std::string obj_mesh(const GridView& nodes) {
     std::string text;
-    append_vertices(text, nodes);
+    append_vectors(text, "v", nodes);
     append_faces(text, nodes, [](const std::string& number) { return number; });
     return text;
 }
 
-std::string stl_mesh(const SplineSurface& surface, const MeshPlaces& places) {
-    return stl_mesh(nodes_of(surface, places));
+std::string stl_mesh(const Surface& surface, const MeshPlaces& places) {
+    return stl_mesh(nodes_of(surface, places).nodes);
 }
 
 std::string stl_mesh(const GridView& nodes) {
@@ -138,8 +205,8 @@ std::string stl_mesh(const GridView& nodes) {
     return bytes;
 }
 
-std::string ply_mesh(const SplineSurface& surface, const MeshPlaces& places) {
-    return ply_mesh(nodes_of(surface, places));
+std::string ply_mesh(const Surface& surface, const MeshPlaces& places) {
+    return ply_mesh(nodes_of(surface, places).nodes);
 }
 
 std::string ply_mesh(const GridView& nodes) {

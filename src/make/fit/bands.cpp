@@ -39,6 +39,27 @@ struct Companion final : CurveCompanion {
     FitCovariance covariance;
 };
 
+/// Whether a derivative jumps at `x`: a knot there stands so often.
+bool jumps_at(const SplineFunction& s, double x, int derivative) {
+    const double near = 1e-12 * s.domain().length();
+    if (x - s.domain().lo <= near || s.domain().hi - x <= near) return false;
+    int knots = 0;
+    for (const double t : s.knots()) knots += std::fabs(t - x) <= near;
+    return knots > s.degree() - derivative;
+}
+
+/// Corners and jumps have no deviation; where all is flat there is no place.
+std::vector<UncertainPlace> places_of(const FitCovariance& covariance,
+                                      const std::vector<double>& places, int derivative) {
+    const SplineFunction& s = covariance.model().own.spline();
+    std::vector<UncertainPlace> result;
+    for (const double x : places) {
+        const std::optional<double> deviation = covariance.deviation_of_place(x, derivative);
+        if (deviation || jumps_at(s, x, derivative)) result.push_back({x, deviation});
+    }
+    return result;
+}
+
 }  // namespace
 
 Curve with_covariance(const Curve& graph, FitCovariance covariance) {
@@ -87,25 +108,20 @@ Uncertain FitCovariance::integral(Interval part) const {
     return {value(model_->own.spline()), std::sqrt(variance)};
 }
 
-std::vector<Uncertain> FitCovariance::roots(double level) const {
-    std::vector<Uncertain> result;
+std::optional<double> FitCovariance::deviation_of_place(double x, int derivative) const {
     const SplineFunction& s = model_->own.spline();
-    for (const double x : batten::roots(s, level)) {
-        const double slope = std::fabs(s(x, 1));
-        if (slope > 0) result.push_back({x, deviation(x) / slope});
-    }
-    return result;
+    if (jumps_at(s, x, derivative)) return std::nullopt;
+    const double slope = std::fabs(s(x, derivative + 1));
+    return slope > 0 ? std::optional(deviation(x, derivative) / slope) : std::nullopt;
 }
 
-std::vector<Uncertain> FitCovariance::extrema() const {
-    std::vector<Uncertain> result;
-    const SplineFunction& s = model_->own.spline();
-    if (is_constant(s)) return result;
-    for (const double x : batten::extrema(s)) {
-        const double bend = std::fabs(s(x, 2));
-        if (bend > 0) result.push_back({x, deviation(x, 1) / bend});
-    }
-    return result;
+std::vector<UncertainPlace> FitCovariance::roots(double level) const {
+    return places_of(*this, batten::roots(model_->own.spline(), level), 0);
+}
+
+std::vector<UncertainPlace> FitCovariance::extrema() const {
+    if (is_constant(model_->own.spline())) return {};
+    return places_of(*this, batten::extrema(model_->own.spline()), 1);
 }
 
 }  // namespace batten

@@ -4,36 +4,54 @@
 
 #include "batten/measure/graph_bend.hpp"
 #include "num/gauss.hpp"
+#include "shape/surface/sheet.hpp"
 
 namespace batten {
 namespace {
+
+using surfaces::Sheet;
 
 constexpr int gauss_nodes = 8;
 constexpr int most_quarterings = 5;
 constexpr int lattice = 5;             // places a patch and direction
 constexpr double finest_step = 1e-9;   // of a patch
 
-double area_by_rule(const SplineSurface& surface, const Rectangle& part) {
+/// A part of one knot interval: shares of its width, ordinates.
+struct Part {
+    std::size_t interval = 0;
+    Interval share{0, 1}, y;
+};
+
+double area_by_rule(const Sheet& sheet, const Part& part) {
     const num::GaussRule rule = num::gauss_legendre(gauss_nodes);
     return num::integrate(
-        [&](double x) {
+        [&](double y) {
+            const std::vector<double> knots = sheet.knots(y);
+            const Interval x{Sheet::place({part.interval, part.share.lo}, knots),
+                             Sheet::place({part.interval, part.share.hi}, knots)};
+            if (!(x.lo < x.hi)) return 0.0;
             return num::integrate(
-                [&](double y) {
-                    return std::hypot(1.0, surface(x, y, {1, 0}), surface(x, y, {0, 1}));
+                [&](double at) {
+                    const HeightJet jet = sheet.jet_in(part.interval, at, y);
+                    return std::hypot(1.0, jet.x, jet.y);
                 },
-                part.y, rule);
+                x, rule);
         },
-        part.x, rule);
+        part.y, rule);
 }
 
 /// Adds the area over `part`, once `whole` by one rule, to `sum`.
-void add_area(const SplineSurface& surface, const Rectangle& part, double whole, double allowed,
-              int halvings, Measured& sum) {
-    const double x = part.x.middle(), y = part.y.middle();
-    const Rectangle quarters[] = {{{part.x.lo, x}, {part.y.lo, y}}, {{part.x.lo, x}, {y, part.y.hi}},
-                                  {{x, part.x.hi}, {part.y.lo, y}}, {{x, part.x.hi}, {y, part.y.hi}}};
+void add_area(const Sheet& sheet, const Part& part, double whole, double allowed, int halvings,
+              Measured& sum) {
+    const double u = part.share.middle(), y = part.y.middle();
+    Part quarters[4];
+    for (std::size_t k = 0; k < 4; ++k) {
+        quarters[k] = {part.interval,
+                       k < 2 ? Interval{part.share.lo, u} : Interval{u, part.share.hi},
+                       k % 2 == 0 ? Interval{part.y.lo, y} : Interval{y, part.y.hi}};
+    }
     double parts[4], total = 0;
-    for (int k = 0; k < 4; ++k) total += parts[k] = area_by_rule(surface, quarters[k]);
+    for (int k = 0; k < 4; ++k) total += parts[k] = area_by_rule(sheet, quarters[k]);
     const double error = std::fabs(total - whole);
     if (!(error > allowed) || halvings == most_quarterings) {
         sum.value += total;
@@ -41,32 +59,39 @@ void add_area(const SplineSurface& surface, const Rectangle& part, double whole,
         return;
     }
     for (int k = 0; k < 4; ++k) {
-        add_area(surface, quarters[k], parts[k], allowed / 4, halvings + 1, sum);
+        add_area(sheet, quarters[k], parts[k], allowed / 4, halvings + 1, sum);
     }
 }
 
 template <class Work>
-void on_patches(const SplineSurface& surface, Work work) {
-    const std::span<const double> x = surface.x_basis().breaks(), y = surface.y_basis().breaks();
-    for (std::size_t i = 0; i + 1 < x.size(); ++i) {
-        for (std::size_t j = 0; j + 1 < y.size(); ++j) {
-            work(Rectangle{{x[i], x[i + 1]}, {y[j], y[j + 1]}});
+void on_patches(const Sheet& sheet, Work work) {
+    const std::vector<double> strips = sheet.strips();
+    for (const std::size_t interval : sheet.intervals()) {
+        for (std::size_t j = 0; j + 1 < strips.size(); ++j) {
+            work(Part{interval, {0, 1}, {strips[j], strips[j + 1]}});
         }
     }
 }
 
-/// Steps to better neighbours, halved where there is none.
+/// What the middle of a patch measures each way.
+std::array<double, 2> sides_of(const Sheet& sheet, const Part& patch) {
+    const std::vector<double> knots = sheet.knots(patch.y.middle());
+    return {knots[patch.interval + 1] - knots[patch.interval], patch.y.length()};
+}
+
+/// Steps across and along knot lines to better neighbours, halved where there is none.
 template <class Value>
-SurfacePlace climbed(const SplineSurface& surface, SurfacePlace at, const Rectangle& patch,
+SurfacePlace climbed(const Sheet& sheet, SurfacePlace at, const std::array<double, 2>& sides,
                      double sign, Value value) {
-    const Rectangle domain = surface.domain();
+    const Rectangle domain = sheet.domain();
     double step = 1.0 / lattice;
     while (step > finest_step) {
         SurfacePlace best = at;
         for (const auto [dx, dy] : {std::array{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-            const double x = domain.x.clamp(at.x + dx * step * patch.x.length());
-            const double y = domain.y.clamp(at.y + dy * step * patch.y.length());
-            const double height = value(x, y);
+            const double y = domain.y.clamp(at.y + dy * step * sides[1]);
+            const double x =
+                domain.x.clamp(sheet.along(at.x, at.y, y) + dx * step * sides[0]);
+            const double height = value(KnotCell::found, x, y);
             if (sign * height > sign * best.value) best = {height, x, y};
         }
         if (best.x == at.x && best.y == at.y) step /= 2;
@@ -76,64 +101,77 @@ SurfacePlace climbed(const SplineSurface& surface, SurfacePlace at, const Rectan
 }
 
 template <class Value>
-SurfaceRange range_of(const SplineSurface& surface, Value value) {
+SurfaceRange range_of(const Sheet& sheet, Value value) {
     SurfaceRange range;
-    Rectangle low_patch, high_patch;
+    std::array<double, 2> low_sides{}, high_sides{};
     bool is_first = true;
-    on_patches(surface, [&](const Rectangle& patch) {
+    on_patches(sheet, [&](const Part& patch) {
+        const std::array<double, 2> sides = sides_of(sheet, patch);
         for (int k = 0; k < lattice * lattice; ++k) {
-            const double x = patch.x.lo + patch.x.length() * (k / lattice) / (lattice - 1);
+            const double share = static_cast<double>(k / lattice) / (lattice - 1);
             const double y = patch.y.lo + patch.y.length() * (k % lattice) / (lattice - 1);
-            const SurfacePlace place{value(x, y), x, y};
+            const double x = Sheet::place({patch.interval, share}, sheet.knots(y));
+            const SurfacePlace place{value(patch.interval, x, y), x, y};
             if (is_first || place.value < range.least.value) {
                 range.least = place;
-                low_patch = patch;
+                low_sides = sides;
             }
             if (is_first || place.value > range.largest.value) {
                 range.largest = place;
-                high_patch = patch;
+                high_sides = sides;
             }
             is_first = false;
         }
     });
-    range.least = climbed(surface, range.least, low_patch, -1, value);
-    range.largest = climbed(surface, range.largest, high_patch, 1, value);
+    range.least = climbed(sheet, range.least, low_sides, -1, value);
+    range.largest = climbed(sheet, range.largest, high_sides, 1, value);
+    if (sheet.is_transposed()) {
+        for (SurfacePlace* const place : {&range.least, &range.largest}) {
+            std::swap(place->x, place->y);
+        }
+    }
     return range;
 }
 
+double area_of(const Rectangle& part) { return part.x.length() * part.y.length(); }
+
 }  // namespace
 
-Measured surface_area(const SplineSurface& surface, Tolerance tolerance) {
-    const Rectangle domain = surface.domain();
-    const double plane = domain.x.length() * domain.y.length();
-    const double allowed = tolerance.in_units(plane);
+Measured surface_area(const Surface& surface, Tolerance tolerance) {
+    const Sheet sheet(surface);
+    const double plane = area_of(sheet.domain()), allowed = tolerance.in_units(plane);
     Measured sum;
-    on_patches(surface, [&](const Rectangle& patch) {
-        const double share = patch.x.length() * patch.y.length() / plane;
-        add_area(surface, patch, area_by_rule(surface, patch), allowed * share, 0, sum);
+    on_patches(sheet, [&](const Part& patch) {
+        const std::array<double, 2> sides = sides_of(sheet, patch);
+        const double share = sides[0] * sides[1] / plane;
+        add_area(sheet, patch, area_by_rule(sheet, patch), allowed * share, 0, sum);
     });
     return sum;
 }
 
-SurfaceReport measure_surface(const SplineSurface& surface, Tolerance tolerance) {
+SurfaceReport measure_surface(const Surface& surface, Tolerance tolerance) {
     SurfaceReport report;
-    const Rectangle d = surface.domain();
+    const Sheet sheet(surface);
+    const Rectangle d = domain_of(surface);
     report.domain = {d.x.lo, d.x.hi, d.y.lo, d.y.hi};
-    report.integral = integral(surface);
+    report.integral = integral(surface, d);
     const Measured area = surface_area(surface, tolerance);
     if (std::isfinite(area.value) && std::isfinite(area.error)) {
         report.area = area.value;
         report.area_error = area.error;
-        const double allowed = tolerance.in_units(d.x.length() * d.y.length());
-        if (area.error > allowed) report.status = Status::not_met;
+        if (area.error > tolerance.in_units(area_of(d))) report.status = Status::not_met;
     } else {
         report.notes.push_back("the slopes are too large for an area");
     }
-    report.height = range_of(surface, [&](double x, double y) { return surface(x, y); });
-    report.gaussian_curvature = range_of(
-        surface, [&](double x, double y) { return graph_bend(surface, x, y).gaussian; });
-    report.mean_curvature = range_of(
-        surface, [&](double x, double y) { return graph_bend(surface, x, y).mean; });
+    report.height = range_of(sheet, [&](std::size_t i, double x, double y) {
+        return sheet.value_in(i, x, y);
+    });
+    report.gaussian_curvature = range_of(sheet, [&](std::size_t i, double x, double y) {
+        return graph_bend(sheet.jet_in(i, x, y)).gaussian;
+    });
+    report.mean_curvature = range_of(sheet, [&](std::size_t i, double x, double y) {
+        return graph_bend(sheet.jet_in(i, x, y)).mean;
+    });
     return report;
 }
 

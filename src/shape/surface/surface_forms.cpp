@@ -4,6 +4,7 @@
 #include "batten/base/text.hpp"
 #include "batten/shape/spline_surface.hpp"
 #include "num/gauss.hpp"
+#include "shape/surface/inside.hpp"
 #include "shape/surface/sides.hpp"
 
 namespace batten {
@@ -27,10 +28,6 @@ num::TensorSide side_of(const BSplineBasis& basis, std::span<const double> place
     return side;
 }
 
-}  // namespace surfaces
-
-namespace {
-
 void require_inside(Interval domain, Interval part, const char* axis) {
     if (part.lo <= part.hi && domain.contains(part.lo) && domain.contains(part.hi)) return;
     throw Error("surface.outside", axis,
@@ -38,6 +35,12 @@ void require_inside(Interval domain, Interval part, const char* axis) {
                 "must lie in the surface's domain [" + format_number(domain.lo) + ", " +
                     format_number(domain.hi) + "]");
 }
+
+}  // namespace surfaces
+
+namespace {
+
+using surfaces::require_inside;
 
 /// The integral of every function of a basis over `part`.
 std::vector<double> function_integrals(const BSplineBasis& basis, Interval part) {

@@ -38,7 +38,7 @@ Panel map_panel(const Rectangle& part, std::string caption);
 Panel level_plot(const Heights& heights, const std::vector<double>& levels, std::string caption);
 
 /// Level lines of a spline, exact to 1e-4 of its domain. Throws what contours throws.
-Panel level_plot(const SplineSurface& surface, const std::vector<double>& levels,
+Panel level_plot(const Surface& surface, const std::vector<double>& levels,
                  std::string caption);
 
 /// Level lines that are known, each level with its own number upon them.

@@ -37,11 +37,6 @@ std::vector<PolylineLayer> straight_knots(const SplineSurface& surface) {
     return {lines};
 }
 
-bool is_constant(const SplineFunction& line) {
-    const std::span<const double> c = line.coefficients();
-    return std::all_of(c.begin(), c.end(), [&](double x) { return x == c[0]; });
-}
-
 std::vector<PolylineLayer> curved_knots(const CurvedKnotSurface& surface) {
     const Rectangle& domain = surface.domain();
     PolylineLayer straight{{}, "knot lines", knot_style};
@@ -51,7 +46,7 @@ std::vector<PolylineLayer> curved_knots(const CurvedKnotSurface& surface) {
         for (const double t : even_places(is_in_x ? domain.y : domain.x, curved_line_places)) {
             run.push_back(is_in_x ? std::array{line(t), t} : std::array{t, line(t)});
         }
-        (is_constant(line) ? straight : curved).runs.push_back(std::move(run));
+        (are_straight({&line, 1}) ? straight : curved).runs.push_back(std::move(run));
     };
     for (const SplineFunction& line : surface.x_lines()) add(line, true);
     for (const SplineFunction& line : surface.y_lines()) add(line, false);
@@ -172,9 +167,9 @@ void add_levels(Panel& panel, const std::vector<Contour>& lines) {
     }
 }
 
-Panel level_plot(const SplineSurface& surface, const std::vector<double>& levels,
+Panel level_plot(const Surface& surface, const std::vector<double>& levels,
                  std::string caption) {
-    Panel panel = map_panel(surface.domain(), std::move(caption));
+    Panel panel = map_panel(domain_of(surface), std::move(caption));
     for (const double level : levels) add_levels(panel, contours(surface, level, relative(1e-4)));
     return panel;
 }
