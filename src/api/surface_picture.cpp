@@ -56,8 +56,12 @@ Panel levels_of(const Surface& surface, const std::vector<double>& levels) {
     return level_plot(sampled(surface, level_nodes), levels, caption);
 }
 
-Panel relief_of(const Heights& heights, const std::vector<double>& levels) {
-    return relief_plot(heights, {levels, front_relief_nodes}, "the surface");
+Panel relief_of(const Surface& surface, const Heights& heights, const std::vector<double>& levels) {
+    constexpr const char* caption = "the surface";
+    if (const auto* curved = std::get_if<CurvedKnotSurface>(&surface)) {
+        return relief_plot(*curved, levels, caption);
+    }
+    return relief_plot(heights, {levels, front_relief_nodes}, caption);
 }
 
 std::string sizes(std::size_t samples, std::size_t missing, const std::array<int, 2>& strips,
@@ -91,7 +95,7 @@ Drawing fit_panels(const Surface& surface, const GridFile& grid, double sigma) {
     drawing.columns = 2;
     drawing.panels = {std::move(data), levels_of(surface, levels),
                       residual_map(scaled_residuals(surface, grid, sigma), knots, "residuals"),
-                      relief_of(heights, levels)};
+                      relief_of(surface, heights, levels)};
     return drawing;
 }
 
@@ -105,7 +109,7 @@ Panel surface_map(const Surface& surface, int levels) {
 
 Panel surface_relief(const Surface& surface, int levels) {
     const Heights heights = seen(surface);
-    return relief_of(heights, levels_in(heights, levels));
+    return relief_of(surface, heights, levels_in(heights, levels));
 }
 
 Drawing surface_picture(const Surface& surface, int levels) {
@@ -129,7 +133,7 @@ Drawing contour_picture(const Surface& surface, const std::vector<Contour>& line
     }
     Drawing drawing;
     drawing.width = picture_width;
-    drawing.panels = {relief_of(seen(surface), levels)};
+    drawing.panels = {relief_of(surface, seen(surface), levels)};
     if (lines.empty()) return drawing;
     Panel map = contour_map(domain_of(surface), lines).panels.front();
     map.caption = "lines of equal height";

@@ -335,6 +335,23 @@ TEST(Picture, OfASectionNamesItsAxesAndMarksItsKnots) {
               std::get<SplineSurface>(std::get<Surface>(made.output)).x_basis().breaks().size());
 }
 
+TEST(Picture, OfACurvedReliefHasNodesAlongItsLines) {
+    const SplineFunction line({0, 0, 1, 1}, {0.2, 0.7}, 1);
+    const CurvedKnotSurface surface(1, {{0, 1}, {0, 1}}, {line}, {}, {0, 0, 1, 1, 0, 0});
+    const Panel panel = relief_plot(surface, {0.5}, "ridge");
+    const SheetLayer& sheet = std::get<SheetLayer>(panel.layers[0]);
+    EXPECT_EQ(sheet.lines.size(), 2u);
+    for (std::size_t j = 0; j < sheet.nodes.nv(); ++j) {
+        double nearest = 1, highest = 0;
+        for (std::size_t i = 0; i < sheet.nodes.nu(); ++i) {
+            nearest = std::min(nearest, std::fabs(sheet.nodes(i, j, 0) - line(sheet.nodes(i, j, 1))));
+            highest = std::max(highest, sheet.nodes(i, j, 2));
+        }
+        EXPECT_LT(nearest, 1e-12);
+        EXPECT_NEAR(highest, 1, 1e-12) << "the ridge";
+    }
+}
+
 TEST(Sheet, RefusesLinesBesideIt) {
     SheetLayer sheet = tube();
     sheet.lines.push_back({Points({0, 0, 0, 25}, 2)});

@@ -53,6 +53,11 @@ struct ReliefStyle {
 /// A view of heights in space.
 Panel relief_plot(const Heights& heights, const ReliefStyle& style, std::string caption);
 
+/// The same of a surface with curved knot lines: nodes stand along the lines, so that a front is as
+/// smooth as they are.
+Panel relief_plot(const CurvedKnotSurface& surface, const std::vector<double>& levels,
+                  std::string caption);
+
 /// Coloured heights with their bar.
 Panel height_map(const Heights& heights, std::string caption);
 
