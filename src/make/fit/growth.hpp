@@ -38,6 +38,7 @@ public:
     const KnotSystem& system() const { return system_; }
     /// Weighted squared residuals of interval i.
     double part_sum(int i) const { return part_sums_[static_cast<std::size_t>(i)]; }
+    Interval span(int i) const { return pieces_[static_cast<std::size_t>(i)].span; }
     /// Samples in interval i.
     std::size_t rows(int i) const { return pieces_[static_cast<std::size_t>(i)].rows.count(); }
     /// True residuals e = y - S of all samples, in data units, side 0, in rising x.
