@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
             for (std::size_t j = 0; j < z.nv(); ++j) z(i, j) += noise(engine);
         }
         const FrontReport report = fit_front({file.x, file.y, z}, options).report;
-        if (report.has_front) std::printf("seed %d: bic %g against %g\n", seed, report.bic, report.tensor_bic);
+        if (report.has_front) std::printf("seed %d: bic %g against %g\n", seed, report.bic, *report.tensor_bic);
         seen += report.has_front;
     }
     std::printf("a front is seen in %d of %d\n", seen, seeds);

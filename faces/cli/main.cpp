@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string>
 
 #include "batten/base/error.hpp"
 #include "command_line.hpp"
@@ -16,10 +18,17 @@
 namespace {
 
 /// Options are shown as they are typed: `option.range: weight_exponent` becomes
-/// `--weight-exponent`.
-batten::Error as_typed(const batten::Error& error) {
-    if (error.code().rfind("option.", 0) != 0) return error;
-    return error.at("--" + batten::cli::flag_name(error.place()));
+/// `--weight-exponent`, a list `knots_values` beside the choice `knots` `--knots`.
+batten::Error as_typed(const batten::Error& error, const batten::Operation& operation) {
+    std::string place = error.place();
+    const bool is_field =
+        place == "columns" || std::any_of(operation.fields.begin(), operation.fields.end(),
+                                          [&](const batten::Field& f) { return f.name == place; });
+    const bool is_option = error.code().starts_with("option.") ||
+                           (is_field && error.code().ends_with(".options"));
+    if (!is_option) return error;
+    if (place.ends_with("_values")) place.resize(place.rfind("_values"));
+    return error.at("--" + batten::cli::flag_name(place));
 }
 
 int run_operation(const batten::cli::Command& command) {
@@ -45,7 +54,7 @@ int run(int argc, char** argv) {
     try {
         return run_operation(command);
     } catch (const batten::Error& error) {
-        throw as_typed(error);
+        throw as_typed(error, *command.operation);
     }
 }
 

@@ -19,7 +19,8 @@ std::string brief(double x) {
     constexpr int most_decimals = 22;  // 10^22 is a double
     if (x == 0) return format_number(x);
     const int decimals = digits - 1 - static_cast<int>(std::floor(std::log10(std::fabs(x))));
-    if (decimals <= 0 || decimals > most_decimals) return format_number(x);
+    if (decimals > most_decimals) return format_number(x);
+    if (decimals <= 0) return format_number(std::round(x));
     const double power = std::pow(10.0, decimals);
     return format_number(std::round(x * power) / power);
 }
@@ -27,7 +28,7 @@ std::string brief(double x) {
 /// The first few numbers of a list, and how many there are; of a table that alone.
 std::string brief(const ValueList& list) {
     if (list.empty()) return "none";
-    if (list.size() > 1 && list[0].map()) return std::to_string(list.size()) + " in the report";
+    if (list[0].list() || (list.size() > 1 && list[0].map())) return std::to_string(list.size()) + " in the report";
     std::string text;
     for (std::size_t i = 0; i < std::min(list.size(), most_shown); ++i) {
         text += (i > 0 ? ", " : "") + brief(list[i]);

@@ -1,5 +1,6 @@
 #include "api/field_text.hpp"
 
+#include <cmath>
 #include <numbers>
 
 #include "batten/base/text.hpp"
@@ -16,6 +17,7 @@ constexpr double degree = std::numbers::pi / 180;
 /// `x` where the slot's limits accept it.
 double checked(double x, const Slot& slot) {
     if (slot.limits.accept(x)) return x;
+    if (std::isnan(x)) throw Error("option.range", slot.name, "nan", "must be a number");
     const auto [lo, hi, lo_open] = slot.limits;
     std::string rule;
     if (lo > -std::numeric_limits<double>::infinity()) {

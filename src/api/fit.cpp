@@ -213,10 +213,30 @@ Outcome run_parametric(const PointsInput& input, FitTableOptions options) {
             {}, [points, made] { return distance_rows(points, *made); }};
 }
 
+/// Options of the other kind of fit, or two that say the same.
+void require_kind(const PointsInput& input, const FitTableOptions& options) {
+    const auto refuse = [](const char* option, std::string value, const char* rule) {
+        throw Error("fit.options", option, std::move(value), rule);
+    };
+    if (!options.sigma.empty() && !options.fit.sigma_model.empty()) {
+        refuse("sigma_model", "given", "sigma says already what the errors are");
+    }
+    if (options.parametric) return;
+    const bool is_file = !input.borrowed && input.shared_columns.empty();
+    if (is_file && !input.columns.empty()) {
+        refuse("columns", "given", "x and y name the columns of a fit of y(x)");
+    }
+    if (options.fit.corrections != FitOptions{}.corrections) {
+        refuse("corrections", std::to_string(options.fit.corrections),
+               "go with parametric curves only");
+    }
+}
+
 Outcome run(std::span<const Input> inputs, const FitTableOptions& asked) {
     FitTableOptions options = asked;
     options.fit.progress = asked.progress;
     const PointsInput& input = points_input(inputs);
+    require_kind(input, options);
     if (options.parametric) return run_parametric(input, options);
     const auto data = std::make_shared<FitData>(data_of(input, options));
     auto made = std::make_shared<Fit>(

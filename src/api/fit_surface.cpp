@@ -66,6 +66,11 @@ Outcome curved_outcome(const CurvedKnotSurface& surface, const FrontReport& repo
 constexpr int usual_strips = 3;
 
 Outcome run_lines(const GridFile& grid, const SurfaceRequest& request) {
+    FitSurfaceOptions others = request.fit;
+    if (others.knots == SurfaceKnots::curved) others.knots = SurfaceKnots::automatic;
+    require_only(others, {"sigma", "intervals"},
+                 "does not go with given curved lines: the surface is cubic over them and over "
+                 "equal strips");
     const std::vector<double>& n = request.fit.intervals;
     if (n.size() > 1) {
         throw Error("fit.options", "intervals", "two numbers",
@@ -85,13 +90,15 @@ Outcome tensor_outcome(SurfaceFit made, const GridFile& grid) {
 }
 
 Outcome run_curved(const GridFile& grid, const FitSurfaceOptions& options) {
+    require_only(options, {"sigma", "knots"},
+                 "does not go with curved knots, which bic chooses; the surface is cubic");
     FitFrontOptions front;
     front.sigma = options.sigma;
     FrontFit made = fit_front({grid.x, grid.y, grid.z, {}, {}, grid.sigma}, front);
     if (made.report.has_front) return curved_outcome(made.surface, made.report, grid, options.sigma);
     made.tensor.report.notes.push_back(
-        "no front is seen: bic is " + format_number(made.report.tensor_bic) +
-        " with straight knot lines, " + format_number(made.report.bic) + " with curved ones");
+        "no front is seen: bic is " + format_fixed(*made.report.tensor_bic, 1) +
+        " with straight knot lines, " + format_fixed(made.report.bic, 1) + " with curved ones");
     return tensor_outcome(std::move(made.tensor), grid);
 }
 
@@ -109,7 +116,15 @@ bool has_sigma_column(const Table& table) {
            (table.names.empty() && table.columns() == 4);
 }
 
+/// What goes with grids only.
+void require_no_grid(const SurfaceRequest& request) {
+    SurfaceRequest others = request;
+    others.fit = {};
+    require_only(others, {"scattered"}, "goes with grids only, not with scattered rows");
+}
+
 Outcome run_scattered(std::span<const Input> inputs, const SurfaceRequest& request) {
+    require_no_grid(request);
     const PointsInput input = rows_input(inputs);
     const Table& table = input.table;
     const std::vector<double> x = column_values(table, scattered_column(table, {"x"}, 1));

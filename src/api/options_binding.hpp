@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "api/field_text.hpp"
@@ -88,6 +91,20 @@ Value options_value(const Options& options) {
         map.emplace_back(name, shown(member));
     });
     return map;
+}
+
+/// Throws `fit.options` where an option that is not among `used` differs from its default.
+template <class Options>
+void require_only(const Options& options, std::initializer_list<std::string_view> used,
+                  const char* rule) {
+    const Value defaults = options_value(Options{});
+    const Value asked = options_value(options);
+    for (const auto& [name, value] : *asked.map()) {
+        const bool is_used = std::find(used.begin(), used.end(), name) != used.end();
+        if (is_used || value == *defaults.find(name)) continue;
+        const std::string text = default_text(value);
+        throw Error("fit.options", name, text.empty() ? "given" : text, rule);
+    }
 }
 
 }  // namespace batten::api

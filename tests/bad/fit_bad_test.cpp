@@ -123,6 +123,9 @@ TEST(FitRefuses, DistributionsThatAreNone) {
     options.stop = StopRule::bic;
     options.distribution = {0.68};
     EXPECT_EQ(refusal(good(), options), "fit.options distribution");
+    FitOptions target = given({50});
+    target.delta2 = 3;
+    EXPECT_EQ(refusal(good(), target), "fit.options delta2");
 }
 
 TEST(FitRefuses, KnotsOutsideTheDataOrFalling) {

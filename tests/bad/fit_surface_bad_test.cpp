@@ -73,8 +73,34 @@ TEST(BadSurface, StripsBeyondTheDataAreRefused) {
     options.intervals = {2, 2};
     EXPECT_EQ(refused(table.view(), options), "fit.options");
     FitSurfaceOptions chances;
+    chances.stop = StopRule::distribution;
     chances.distribution = {0.9, 0.5};
     EXPECT_EQ(refused(table.view(), chances), "fit.distribution");
+}
+
+TEST(BadSurface, OptionsThatContradictEachOtherAreRefused) {
+    const SurfaceTable table = plain();
+    const auto place = [&](auto&& change) {
+        FitSurfaceOptions options;
+        change(options);
+        return code_and_place_of([&] { fit_surface(table.view(), options); });
+    };
+    using Options = FitSurfaceOptions;
+    EXPECT_EQ(place([](Options& o) { o.distribution = {0.68}; }), "fit.options distribution");
+    EXPECT_EQ(place([](Options& o) { o.stop = StopRule::none; }), "fit.options stop");
+    EXPECT_EQ(place([](Options& o) {
+                  o.intervals = {2, 2};
+                  o.delta2 = 3;
+              }), "fit.options delta2");
+    EXPECT_EQ(place([](Options& o) {
+                  o.x_knots = {0.5};
+                  o.delta2 = 3;
+              }), "fit.options delta2");
+    EXPECT_EQ(place([](Options& o) {
+                  o.knots = SurfaceKnots::given;
+                  o.intervals = {2, 2};
+              }), "fit.options intervals");
+    EXPECT_EQ(place([](Options& o) { o.knots = SurfaceKnots::curved; }), "fit.options knots");
 }
 
 TEST(BadSurface, NumbersBeyondADoubleAreRefused) {

@@ -124,6 +124,12 @@ class Fits(Folder):
                                 self.path("o.csv"))
         self.assertEqual(done.returncode, 3, done.stderr)
 
+    def test_options_without_effect_are_refused(self):
+        for given in (["--columns", "f,x"], ["--corrections", "3"], ["--delta2", "3", "--knots", "700"],
+                      ["--sigma-model", "0,1", "--sigma", "1"]):
+            self.refused("fit.options", "fit", fits("titanium.csv"), *given,
+                         says=(given[0] + ": ",))
+
     def test_bad_input_is_refused_with_its_id_and_line(self):
         good = [f"{i},{i % 3},1" for i in range(12)]
 

@@ -115,6 +115,31 @@ class Surfaces(Folder):
         self.assertEqual(searched, self.report("fit-surface", self.grid())["report"])
         self.refused("fit-surface.streamed", "fit-surface", self.grid(), "--stream", "--scattered")
 
+    def test_options_without_effect_are_refused(self):
+        for given in (["--intervals", "3,3"], ["--stop", "aic"], ["--delta2", "3"],
+                      ["--degree", "5"], ["--rule", "marginal"], ["--x-knots", "0.5"]):
+            self.refused("fit.options", "fit-surface", self.grid(), "--knots", "curved", *given,
+                         says=(given[0] + ": ",))
+        rows = self.file("rows.csv", "x,y,z\n0,0,1\n1,0,2\n0,1,3\n1,1,5\n0.5,0.5,1\n")
+        for given in (["--x", "0,1"], ["--lines", rows], ["--knots", "curved"]):
+            self.refused("fit.options", "fit-surface", rows, "--scattered", *given,
+                         says=(given[0] + ": ",))
+
+    def test_the_report_of_given_lines_says_nothing_that_was_not_asked(self):
+        lines = self.file("lines.csv", "y,X1,X2\n0,.3,.5\n.5,.4,.6\n1,.3,.5\n")
+        report = self.report("fit-surface", self.grid(), "--sigma", "0.01", "--lines", lines,
+                             "--intervals", "2")["report"]
+        self.assertEqual(report["intervals"], [3, 2])
+        self.assertEqual(report["parameters"], 6 * 5)
+        self.assertEqual(len(report["lines"]), 2)
+        self.assertEqual(report["breaks_y"], [0, 0.5, 1])
+        self.assertEqual(report["sigma_source"], "number")
+        self.assertNotIn("tensor_bic", report)
+        self.assertNotIn("has_front", report)
+        done = self.good("fit-surface", self.grid(), "--sigma", "0.01", "--lines", lines)
+        self.assertIn("2 in the report", done.stderr)
+        self.refused("fit.options", "fit-surface", self.grid(), "--lines", lines, "--stop", "aic")
+
     def test_pictures_of_surfaces_have_their_panels(self):
         self.good("fit-surface", self.grid(), "--sigma", "0.01", "-o", self.path("s.json"),
                   "--draw", self.path("s.svg"))

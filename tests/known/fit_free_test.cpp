@@ -38,6 +38,14 @@ TEST(FreeKnots, ReachTheBestKnownTitaniumFits) {
     }
 }
 
+TEST(FreeKnots, CountEveryKnotOnTheWayAsInTheEnd) {
+    SKIP_UNLESS_SHARED("reference/fitting/titanium.csv");
+    const FitReport report = free_fit(fit_table("titanium"), 8).report;
+    ASSERT_EQ(report.path.size(), 8u);
+    for (int n = 1; n <= 8; ++n) EXPECT_EQ(report.path[static_cast<std::size_t>(n) - 1].intervals, n);
+    EXPECT_EQ(report.intervals, 8);
+}
+
 TEST(FreeKnots, ReachTheReferenceOfTheSyntheticCurve) {
     SKIP_UNLESS_SHARED("reference/fitting/curve_freeknot_reference.json");
     const auto rows =

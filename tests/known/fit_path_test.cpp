@@ -176,5 +176,39 @@ TEST(FitOverFixedKnots, IsThatOfSortedSamplesAndLeavesOutWhatHasNoWeight) {
     EXPECT_NEAR(one_less.delta2, sorted.delta2, 30);
 }
 
+TEST(FitByInsertion, TellsOfIntervalsThatFitEquallyBadly) {
+    testing::FitTable table;
+    // None in the middle: a sample on a knot counts on its right.
+    for (int i = 0; i < 40; ++i) {
+        table.x.push_back((2 * i - 39) / 39.0);
+        table.y.push_back(std::exp(-8 * table.x.back() * table.x.back()));
+    }
+    FitOptions options;
+    options.sigma = 0.01;
+    options.intervals = 3;
+    const FitReport report = fit(table.without_sigma(), options).report;
+    ASSERT_EQ(report.notes.size(), 1u);
+    EXPECT_EQ(report.notes[0],
+              "tie: with 2 intervals [-1, 0] and [0, 1] fit equally badly; the first of them is "
+              "halved");
+    options.intervals = 2;
+    EXPECT_TRUE(fit(table.without_sigma(), options).report.notes.empty());
+}
+
+TEST(FitByInsertion, WarnsOfAsManyCoefficientsAsSamples) {
+    testing::FitTable table;
+    testing::Noise noise(3);
+    for (int i = 0; i < 30; ++i) {
+        table.x.push_back(i);
+        table.y.push_back(noise.normal());
+    }
+    FitOptions options;
+    options.sigma = 1;
+    options.delta2 = 1e-9;
+    const FitReport report = fit(table.without_sigma(), options).report;
+    ASSERT_EQ(report.notes.size(), 1u);
+    EXPECT_NE(report.notes[0].find(" for 30 samples"), std::string::npos);
+}
+
 }  // namespace fit_path_test
 }  // namespace batten

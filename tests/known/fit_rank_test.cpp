@@ -67,5 +67,15 @@ TEST(FitByInsertion, DoesNotSplitWhatTheDataCannotFill) {
     EXPECT_TRUE(result.report.undetermined.empty());
 }
 
+TEST(FitWithEmptyIntervals, SaysWhyThereIsNoBand) {
+    FitOptions options;
+    options.knots = KnotPlacement::equal;
+    options.intervals = 20;
+    const FitReport report = fit(with_gap(8).view(), options).report;
+    EXPECT_TRUE(report.covariance_band.x.empty());
+    ASSERT_EQ(report.notes.size(), 1u);
+    EXPECT_NE(report.notes[0].find("5 coefficients are not determined"), std::string::npos);
+}
+
 }  // namespace fit_rank_test
 }  // namespace batten

@@ -82,5 +82,9 @@ TEST(FitStatistics, FillTheDistributionWithOnes) {
     EXPECT_FALSE(is_distributed(psi, phi));
 }
 
+TEST(FitStatistics, TakeErrorsForNormalWhereNoDistributionIsGiven) {
+    EXPECT_EQ(error_distribution({}), error_distribution(std::vector{0.68, 0.95, 0.99}));
+}
+
 }  // namespace fit_statistics_test
 }  // namespace batten

@@ -144,6 +144,7 @@ TEST(FittedSurface, TakesTheSameStepsWhereTheNodesAreReadOnce) {
     options.distribution = {0.68, 0.95, 0.99};
     const std::vector<SurfaceStep> each = fit_surface(table.view(), options).report.path;
     options.stop = StopRule::bic;
+    options.distribution.clear();
     const std::vector<SurfaceStep> once = fit_surface(table.view(), options).report.path;
     const std::size_t steps = std::min(each.size(), once.size());
     ASSERT_GT(steps, 20u);
@@ -153,6 +154,82 @@ TEST(FittedSurface, TakesTheSameStepsWhereTheNodesAreReadOnce) {
         EXPECT_TRUE(once[i].psi.empty());
         EXPECT_FALSE(each[i].psi.empty());
     }
+}
+
+bool has_note(const FitSurfaceReport& report, std::string_view words) {
+    return std::any_of(report.notes.begin(), report.notes.end(), [&](const std::string& note) {
+        return note.find(words) != std::string::npos;
+    });
+}
+
+TEST(FittedSurface, StopsAtTheNormalDistributionWhereNoneIsGiven) {
+    const auto f = [](double x, double y) { return std::sin(6 * x) * std::cos(5 * y); };
+    const SurfaceTable table = surface_of(f, 41, 37, 0.1);
+    FitSurfaceOptions options;
+    options.sigma = 0.1;
+    options.stop = StopRule::distribution;
+    const FitSurfaceReport report = fit_surface(table.view(), options).report;
+    EXPECT_EQ(report.status, Status::met);
+    EXPECT_LT(report.parameters, 200);
+    EXPECT_GE(report.psi[0], 0.68);
+    EXPECT_LT(report.psi[0], 1);
+}
+
+TEST(FittedSurface, SpendsNoStripOnRounding) {
+    const auto plane = [](double x, double y) { return x / 7 + y / 3; };
+    SurfaceTable table = surface_of(plane, 12, 6);
+    for (const bool has_hole : {false, true}) {
+        if (has_hole) table.z.drop(5, 2);
+        const SurfaceFit made = fit_surface(table.view(), {});
+        EXPECT_EQ(made.report.intervals, (std::array{1, 1}));
+        EXPECT_EQ(made.report.oscillation, 0);
+        EXPECT_TRUE(made.report.notes.empty());
+        EXPECT_NEAR(made.surface(0.3, 0.7), plane(0.3, 0.7), has_hole ? 1e-10 : 1e-14);
+    }
+}
+
+TEST(FittedSurface, SaysHowManyStripsThereCanBe) {
+    const SurfaceTable table = surface_of([](double x, double y) { return x * y; }, 11, 9, 0.1);
+    FitSurfaceOptions options;
+    options.sigma = 0.1;
+    options.intervals = {20, 2};
+    const FitSurfaceReport report = fit_surface(table.view(), options).report;
+    EXPECT_EQ(report.status, Status::not_met);
+    EXPECT_TRUE(has_note(report, "intervals: the data determine no more than 8 x 2"));
+}
+
+TEST(FittedSurface, WarnsOfResidualsLargerThanTheErrors) {
+    const auto f = [](double x, double y) { return std::sin(9 * x) * std::cos(7 * y); };
+    const SurfaceTable table = surface_of(f, 41, 37, 0.01);
+    FitSurfaceOptions options;
+    options.sigma = 0.01;
+    EXPECT_TRUE(fit_surface(table.view(), options).report.notes.empty());
+    options.intervals = {3, 3};
+    EXPECT_TRUE(has_note(fit_surface(table.view(), options).report,
+                         "chi2_p: the residuals are larger than the errors"));
+}
+
+TEST(FittedSurface, WarnsWhereItSwingsBetweenTheNodes) {
+    const auto front = [](double x, double y) { return x + 0.3 * y > 0.6 ? 1.0 : 0.0; };
+    const SurfaceTable table = surface_of(front, 60, 31, 0.01);
+    FitSurfaceOptions options;
+    options.sigma = 0.01;
+    const FitSurfaceReport report = fit_surface(table.view(), options).report;
+    EXPECT_GT(report.oscillation, 2);
+    EXPECT_TRUE(has_note(report, "the surface swings between the samples; separability"));
+    EXPECT_TRUE(has_note(report, "curved knot lines"));
+}
+
+TEST(FittedSurface, TellsOfStripsThatFitEquallyBadly) {
+    const auto hill = [](double x, double y) {
+        return std::exp(-8 * ((x - 0.5) * (x - 0.5) + (y - 0.5) * (y - 0.5)));
+    };
+    const SurfaceTable table = surface_of(hill, 33, 33);
+    FitSurfaceOptions options;
+    options.sigma = 0.001;
+    options.intervals = {2, 2};
+    const FitSurfaceReport report = fit_surface(table.view(), options).report;
+    EXPECT_TRUE(has_note(report, "tie: at 1 x 1 two strips fit equally badly; the first is halved"));
 }
 
 }  // namespace fit_surface_test

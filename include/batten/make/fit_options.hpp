@@ -100,7 +100,8 @@ void visit_fields(Options& o, Visit&& visit) {
           "insert knots until delta2 is below this, then insert and move them");
     visit("stop", o.stop, anything, "the rule that decides on the number of intervals");
     visit("distribution", o.distribution, between(0, 1),
-          "probabilities of |error| <= 1 sigma, 2 sigma, ...; those missing are 1");
+          "probabilities of |error| <= 1 sigma, 2 sigma, ...; those missing are 1; without any "
+          "0.68,0.95,0.99");
     visit("delta2", o.delta2, more_than(0),
           "add knots, at first many at a time, until the weighted sum of squared residuals is "
           "at most this");

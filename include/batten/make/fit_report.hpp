@@ -29,7 +29,7 @@ struct FitStep : FitCriteria {
 
 template <class Visit>
 void visit_fields(const FitStep& r, Visit&& visit) {
-    visit("intervals", r.intervals, "number of intervals");
+    visit("intervals", r.intervals, "inner knots, counted with their multiplicity, and 1");
     visit_fields(static_cast<const FitCriteria&>(r), visit);
     visit("psi", r.psi, "shares of the residuals within 1, 2, ... 10 sigma");
 }

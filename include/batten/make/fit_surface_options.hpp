@@ -63,7 +63,8 @@ void visit_fields(Options& o, Visit&& visit) {
     visit("rule", o.rule, anything, "how the misfit of a strip is measured");
     visit("stop", o.stop, anything, "the rule that decides on the number of strips");
     visit("distribution", o.distribution, between(0, 1),
-          "probabilities of |error| <= 1 sigma, 2 sigma, ...; those missing are 1");
+          "probabilities of |error| <= 1 sigma, 2 sigma, ...; those missing are 1; without any "
+          "0.68,0.95,0.99");
     visit("delta2", o.delta2, more_than(0),
           "add knot lines until the weighted sum of squared residuals is at most this");
     visit("sigma", o.sigma, more_than(0), "the error of every height, one standard deviation");

@@ -218,7 +218,9 @@ Table read_npy(std::string_view bytes, const std::string& source) {
 void require_npy_grid(const NpyHeader& header, std::uint64_t bytes, const std::string& source) {
     const std::vector<std::size_t>& shape = header.shape;
     if (shape.size() != 2 || shape[0] == 0 || shape[1] == 0) {
-        throw Error("npy.shape", source, std::to_string(shape.size()) + " dimensions",
+        throw Error("npy.shape", source,
+                    std::to_string(shape.size()) +
+                        (shape.size() == 1 ? " dimension" : " dimensions"),
                     "a grid is an array of two dimensions that holds something");
     }
     require_numbers(header, bytes, shape[0], shape[1], source);

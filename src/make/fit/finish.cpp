@@ -12,6 +12,15 @@ namespace {
 
 constexpr int band_points = 201;
 
+/// Four digits: enough for a note.
+std::string brief(double x) {
+    if (x == 0 || !std::isfinite(x)) return format_number(x);
+    const int decimals = 3 - static_cast<int>(std::floor(std::log10(std::fabs(x))));
+    if (decimals > 300 || decimals < -300) return format_number(x);
+    const double unit = std::pow(10.0, std::abs(decimals));
+    return format_number(decimals > 0 ? std::round(x * unit) / unit : std::round(x / unit) * unit);
+}
+
 }  // namespace
 
 void fill_criteria(FitReport& report, const FixedFit& fixed, const Misfit& misfit) {
@@ -23,7 +32,7 @@ void fill_criteria(FitReport& report, const FixedFit& fixed, const Misfit& misfi
     static_cast<FitCriteria&>(report) = fit_criteria(std::max(misfit.delta2, misfit.least),
                                                      misfit.samples, parameters, misfit.knowledge);
     report.parameters = report.parameters_charged = parameters;
-    report.rank = fixed.rank;
+    report.rank = std::min(misfit.sides * fixed.rank, parameters);
     report.undetermined = fixed.undetermined;
     report.samples = misfit.samples;
     report.delta2 = misfit.delta2;
@@ -49,14 +58,28 @@ void fill_spline(FitReport& report, const SplineFunction& spline) {
     report.coefficients.assign(spline.coefficients().begin(), spline.coefficients().end());
 }
 
+void note_open_coefficients(FitReport& report) {
+    if (report.undetermined.empty()) return;
+    report.notes.push_back(std::to_string(report.undetermined.size()) +
+                           " coefficients are not determined by the samples: continued smoothly, "
+                           "no band");
+}
+
+void note_many_coefficients(FitReport& report) {
+    if (3 * static_cast<std::size_t>(report.parameters) <= 2 * report.samples) return;
+    report.notes.push_back("coefficients: " + std::to_string(report.parameters) + " for " +
+                           std::to_string(report.samples) +
+                           " samples: the spline follows their errors and may swing between them");
+}
+
 void note_what_sigma_hides(FitReport& report) {
     constexpr double alike = 3;
     if (report.sigma_source != SigmaSource::estimated || !report.sigma || !report.sigma2) return;
     const double ratio = std::sqrt(*report.sigma2);
     if (ratio <= alike && ratio >= 1 / alike) return;
     report.notes.push_back("sigma: estimated from differences of neighbours as " +
-                           format_number(*report.sigma) + "; by the residuals it is " +
-                           format_number(ratio * *report.sigma));
+                           brief(*report.sigma) + "; by the residuals it is " +
+                           brief(ratio * *report.sigma));
 }
 
 void fill_band(FitReport& report, const SplineFunction& spline, const FitCovariance& covariance) {

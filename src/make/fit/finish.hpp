@@ -25,6 +25,12 @@ void fill_tally(FitReport& report, const ResidualTally& tally);
 /// Knots, breaks and coefficients.
 void fill_spline(FitReport& report, const SplineFunction& spline);
 
+/// A note where samples leave coefficients open.
+void note_open_coefficients(FitReport& report);
+
+/// A note where coefficients are more than two thirds of the samples.
+void note_many_coefficients(FitReport& report);
+
 /// A note where errors were estimated and residuals are of another size: three times more or less.
 void note_what_sigma_hides(FitReport& report);
 

@@ -187,6 +187,8 @@ FitReport report_of(Solved& solved, const SplineFunction& spline) {
     if (samples.sigma.empty()) report.sigma = samples.common_sigma;
     report.path = std::move(solved.choice.path);
     report.notes = std::move(solved.choice.notes);
+    note_open_coefficients(report);
+    if (solved.choice.by_data && solved.choice.is_met) note_many_coefficients(report);
     note_what_sigma_hides(report);
     report.status = status_of(report, solved.choice, solved.last.is_within);
     if (!solved.last.is_within) {

@@ -30,8 +30,7 @@ public:
     bool wants_more(const Descent& d, bool moved) {
         const int p = fit_.parameters_of(d.set);
         const double least = std::max(d.delta2, samples_.least_delta2);
-        FitStep step = step_of(least, samples_.values(), p, static_cast<int>(d.set.size()) + 1,
-                               knowledge_of(samples_));
+        FitStep step = step_of(least, samples_.values(), p, d.set.count() + 1, knowledge_of(samples_));
         const FitStep charged =
             step_of(least, samples_.values(), moved ? p + d.set.count() : p, step.intervals,
                     knowledge_of(samples_));

@@ -59,6 +59,7 @@ public:
     const KnotSystem& system() const { return now_.system; }
     /// Weighted squared residuals of interval i.
     double part_sum(int i) const { return now_.part_sums[static_cast<std::size_t>(i)]; }
+    Interval span(int i) const { return now_.pieces[static_cast<std::size_t>(i)].span; }
     /// Samples in interval i.
     std::size_t rows(int i) const { return now_.pieces[static_cast<std::size_t>(i)].rows.count(); }
     /// True residuals e = y - S of all samples, in data units, side 0, in rising x.

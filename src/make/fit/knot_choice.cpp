@@ -19,8 +19,8 @@ namespace {
 constexpr int most_rounds = 4;
 constexpr std::size_t most_with_psi = 20000;
 
-[[noreturn]] void refuse(const char* option, std::string value, const char* rule) {
-    throw Error("fit.options", option, std::move(value), rule);
+[[noreturn]] void refuse(const char* option, std::string value, std::string rule) {
+    throw Error("fit.options", option, std::move(value), std::move(rule));
 }
 
 /// What the last refit solved, if it is the fit over `breaks` and determined.
@@ -191,10 +191,13 @@ void require_options(const FitOptions& o) {
     }
     const KnotPlacement placement = placement_of(o);
     if (!o.knots_values.empty() && placement != KnotPlacement::given) {
-        refuse("knots_values", std::string(name_of(o.knots)), "go with given knots only");
+        refuse("knots_values", "given", "knots are " + std::string(name_of(o.knots)) + ", not listed");
     }
     if (placement == KnotPlacement::given && o.intervals) {
         refuse("intervals", std::to_string(*o.intervals), "do not go with given knots");
+    }
+    if (placement == KnotPlacement::given && o.delta2) {
+        refuse("delta2", format_number(*o.delta2), "does not go with given knots");
     }
     if (o.intervals && o.delta2) {
         refuse("intervals", std::to_string(*o.intervals), "and delta2 exclude each other");
@@ -204,7 +207,7 @@ void require_options(const FitOptions& o) {
         refuse("stop", "none", "needs the number of intervals");
     }
     if (o.stop != StopRule::distribution && !o.distribution.empty()) {
-        refuse("distribution", std::string(name_of(o.stop)), "goes with stop = distribution only");
+        refuse("distribution", "given", "goes with the stopping rule distribution only");
     }
     if (o.tolerance && !(o.tolerance->value > 0)) {
         throw Error("option.range", "tolerance", format_number(o.tolerance->value),
@@ -216,7 +219,7 @@ void require_options(const FitOptions& o) {
                "chooses the knots itself, by all samples");
     }
     if (o.free_from && o.knots != KnotPlacement::free) {
-        refuse("free_from", std::string(name_of(o.knots)), "goes with knots = free only");
+        refuse("free_from", format_number(*o.free_from), "goes with free knots only");
     }
     if (o.knots == KnotPlacement::free && o.degree == 0) {
         refuse("degree", "0", "free knots need degree 1 or more: a jump has no derivative");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "batten/base/text.hpp"
 #include "batten/shape/spline_function.hpp"
 #include "make/fit/residuals.hpp"
 #include "make/fit/spare_knots.hpp"
@@ -55,8 +56,21 @@ public:
         return wants_more(step);
     }
 
+    /// Remembers that the worst interval, to be halved next, fits as badly as another one.
+    void see_tie(int worst) {
+        const double largest = growth_.part_sum(worst);
+        if (!(growth_.delta2() > samples_.least_delta2)) return;
+        for (int i = 0; i < growth_.intervals(); ++i) {
+            const bool is_as_bad = i != worst && largest - growth_.part_sum(i) <= tie * largest;
+            if (!is_as_bad || !growth_.can_split(i)) continue;
+            ties_.push_back({path_.steps.size() - 1, growth_.span(worst), growth_.span(i)});
+            return;
+        }
+    }
+
     Path finish() {
         choose();
+        tell_ties();
         tell_why_it_ended();
         const bool is_chosen_freely = plan_.exactly == 0 && plan_.delta2 == 0;
         const bool has_bands = samples_.sides.size() == 1;
@@ -122,6 +136,22 @@ private:
         }
     }
 
+    /// The ties on the way to the step taken.
+    void tell_ties() {
+        std::size_t count = 0;
+        while (count < ties_.size() && ties_[count].step < path_.chosen) ++count;
+        if (count == 0) return;
+        const auto text = [](Interval span) {
+            return "[" + format_number(span.lo) + ", " + format_number(span.hi) + "]";
+        };
+        const Tie& first = ties_.front();
+        path_.notes.push_back(
+            "tie: with " + std::to_string(path_.steps[first.step].intervals) + " intervals " +
+            text(first.halved) + " and " + text(first.other) +
+            " fit equally badly; the first of them is halved" +
+            (count > 1 ? ", and so in " + std::to_string(count - 1) + " later steps" : ""));
+    }
+
     /// Where not the rule ended the search but what the samples allow.
     void tell_why_it_ended() {
         const std::string last = std::to_string(path_.steps.back().intervals);
@@ -161,8 +191,14 @@ private:
         for (Alternative& a : path_.alternatives) a.weight /= sum;
     }
 
+    struct Tie {
+        std::size_t step;
+        Interval halved, other;
+    };
+
     Growth& growth_;
     const Samples& samples_;
+    std::vector<Tie> ties_;
     Robust robust_;
     const StopPlan& plan_;
     RobustWeights weights_;
@@ -246,6 +282,7 @@ Path insert_one_by_one(Growth& growth, const Samples& samples, Robust robust,
     while (search.step_wants_more()) {
         std::vector<int> worst = growth.worst(splits_wanted(growth, plan.delta2));
         if (worst.empty()) break;
+        if (worst.size() == 1) search.see_tie(worst[0]);
         // From the right, so that no index moves; a split may take what another one needs.
         std::sort(worst.begin(), worst.end(), std::greater<>());
         for (const int i : worst) {

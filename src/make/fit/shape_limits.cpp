@@ -177,7 +177,8 @@ bool has_limits(const FitOptions& o) {
 void require_limits(const FitOptions& o) {
     if (!has_limits(o)) return;
     if (o.closed) {
-        throw Error("fit.options", "closed", "true", "limits go with open splines only");
+        throw Error("fit.options", "closed", "true",
+                    "monotone, convex, values and slopes at the ends go with open splines only");
     }
     const bool needs_slope =
         o.start_slope || o.end_slope || o.convex != Direction::free;

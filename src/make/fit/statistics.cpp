@@ -67,6 +67,8 @@ Psi error_distribution(std::span<const double> given) {
         throw Error("fit.distribution", "distribution", std::to_string(given.size()),
                     "there are at most 10 probabilities");
     }
+    static constexpr double of_normal_errors[] = {0.68, 0.95, 0.99};
+    if (given.empty()) given = of_normal_errors;
     Psi phi;
     phi.fill(1);
     for (std::size_t i = 0; i < given.size(); ++i) {

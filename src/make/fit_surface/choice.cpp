@@ -7,10 +7,12 @@
 #include "batten/base/text.hpp"
 #include "make/fit_surface/lattice.hpp"
 #include "make/fit_surface/moved_lines.hpp"
+#include "make/fit_surface/surface_options.hpp"
 
 namespace batten::surface_fitting {
 namespace {
 
+constexpr double equally_good = 1e-9;  // relative difference of two criteria that is none
 constexpr int least_strips = 45;  // in both directions together, as for curves
 
 /// What decides on the number of strips.
@@ -25,11 +27,12 @@ SurfaceStep step_of(const Lattice& lattice) {
     const Misfit& misfit = lattice.misfit();
     const int parameters = lattice.parameters();
     SurfaceStep step{
-        fit_criteria(misfit.delta2, lattice.samples(), parameters,
+        fit_criteria(std::max(misfit.delta2, lattice.least_delta2()), lattice.samples(), parameters,
                      lattice.knows_sigma() ? SigmaKnowledge::known : SigmaKnowledge::unknown),
         {lattice.x_strips(), lattice.y_strips()},
         parameters,
         {}};
+    step.delta2 = misfit.delta2;
     if (!misfit.psi_is_missing) step.psi.assign(misfit.psi.begin(), misfit.psi.end());
     return step;
 }
@@ -51,6 +54,9 @@ public:
         return wants_more(steps_.back());
     }
 
+    /// The strip to be halved next fits as badly as another one.
+    void see_tie() { ties_.push_back(steps_.size() - 1); }
+
     SurfaceChoice finish() {
         std::size_t chosen = steps_.size() - 1;
         const bool is_free = target_.exactly[0] == 0 && target_.delta2 == 0;
@@ -69,6 +75,7 @@ public:
             choice.solution = std::move(fit->solution);
             choice.misfit = std::move(fit->misfit);
         }
+        tell_why_it_ended(choice, chosen);
         choice.path = std::move(steps_);
         if (is_cut_off_) {
             choice.notes.push_back("the search ended early: strips so narrow, or lines and errors "
@@ -86,6 +93,41 @@ private:
     }
 
     double value(std::size_t i) const { return criterion_of(steps_[i], target_.rule); }
+
+    /// Where not the rule ended the search but what the nodes allow; and what is equally good.
+    void tell_why_it_ended(SurfaceChoice& choice, std::size_t chosen) const {
+        const auto strips = [&](std::size_t i) {
+            return std::to_string(steps_[i].intervals[0]) + " x " +
+                   std::to_string(steps_[i].intervals[1]);
+        };
+        const std::size_t last = steps_.size() - 1;
+        const auto ties = std::count_if(ties_.begin(), ties_.end(),
+                                        [&](std::size_t step) { return step < chosen; });
+        if (ties > 0) {
+            choice.notes.push_back("tie: at " + strips(ties_.front()) +
+                                   " two strips fit equally badly; the first is halved, x before y" +
+                                   (ties > 1 ? ", and so in " + std::to_string(ties - 1) +
+                                                   " later steps"
+                                             : ""));
+        }
+        if (!is_met_) {
+            choice.notes.push_back("intervals: the data determine no more than " + strips(last));
+            return;
+        }
+        if (target_.exactly[0] > 0 || target_.delta2 > 0 || !is_criterion(target_.rule)) return;
+        if (chosen == last && last > 0) {
+            choice.notes.push_back("intervals: the criterion was still falling at " + strips(last) +
+                                   ", as many as the data determine");
+        }
+        for (std::size_t i = 0; i <= last; ++i) {
+            if (i == chosen || std::fabs(value(i) - value(chosen)) >
+                                   equally_good * std::fabs(value(chosen))) {
+                continue;
+            }
+            choice.notes.push_back("tie: " + strips(i) + " and " + strips(chosen) +
+                                   " strips are equally good; the fewer are taken");
+        }
+    }
 
     bool wants_more(const SurfaceStep& step) {
         const std::size_t count = lattice_.samples();
@@ -122,6 +164,7 @@ private:
     const Target& target_;
     std::vector<SurfaceStep> steps_;
     std::vector<std::vector<double>> x_breaks_, y_breaks_;
+    std::vector<std::size_t> ties_;  ///< steps at which two strips fitted equally badly
     double best_ = 0;
     int best_strips_ = 2;
     bool is_met_ = true;
@@ -137,6 +180,7 @@ SurfaceChoice insert_lines(Lattice& lattice, const Target& target) {
         const std::optional<Lattice::Strip> strip = lattice.worst(target.exactly);
         const std::size_t next = static_cast<std::size_t>(lattice.parameters());
         if (!strip || next >= lattice.samples()) break;
+        if (lattice.is_tied(*strip, target.exactly)) search.see_tie();
         lattice.split(*strip);
     }
     return search.finish();
@@ -207,25 +251,6 @@ Target target_of(const FitSurfaceOptions& options) {
         target.exactly[i] = static_cast<int>(n);
     }
     return target;
-}
-
-void require_surface_options(const FitSurfaceOptions& options) {
-    if (options.degree < 0 || options.degree > 9) {
-        throw Error("option.range", "degree", std::to_string(options.degree),
-                    "must lie between 0 and 9");
-    }
-    if (options.knots == SurfaceKnots::curved) {
-        throw Error("fit.options", "knots", "curved", "curved knot lines are made by fit_front");
-    }
-    const bool has_lines = !options.x_knots.empty() || !options.y_knots.empty();
-    if (has_lines && !options.intervals.empty()) {
-        throw Error("fit.options", "intervals", "given", "given knot lines are already so many");
-    }
-}
-
-bool has_given_lines(const FitSurfaceOptions& options) {
-    return !options.x_knots.empty() || !options.y_knots.empty() ||
-           options.knots == SurfaceKnots::given;
 }
 
 Interval ends_of(std::span<const double> lines) { return {lines.front(), lines.back()}; }

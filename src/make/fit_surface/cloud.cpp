@@ -7,6 +7,7 @@
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
 #include "make/fit_surface/cloud_system.hpp"
+#include "make/fit_surface/mixed_noise.hpp"
 
 namespace batten::surface_fitting {
 namespace {
@@ -75,6 +76,10 @@ Cloud prepared_cloud(const ScatteredSamples& given, const FitSurfaceOptions& opt
         cloud.source = SigmaSource::number;
         cloud.sigma_known = true;
         cloud.sigma = options.sigma;
+    } else {
+        double largest = 0;
+        for (const double z : given.z) largest = std::max(largest, std::fabs(z));
+        cloud.least_delta2 = unavoidable_delta2(cloud.count(), direct_accuracy, largest, 1);
     }
     return cloud;
 }

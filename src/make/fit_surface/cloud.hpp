@@ -17,6 +17,7 @@ struct Cloud {
     bool sigma_known = false;
     SigmaSource source = SigmaSource::estimated;
     std::optional<double> sigma = {};
+    double least_delta2 = 0;  ///< what rounding leaves, where errors are not known
 
     std::size_t count() const { return x.size(); }
 };

@@ -5,13 +5,16 @@
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
+#include "make/fit_surface/residual_totals.hpp"
+#include "make/fit_surface/shape_of_surface.hpp"
 
 namespace batten::surface_fitting {
 
 void fill_criteria(FitSurfaceReport& report, const Misfit& misfit, const SampleFacts& facts) {
     static_cast<FitCriteria&>(report) =
-        fit_criteria(misfit.delta2, facts.count, report.parameters,
+        fit_criteria(std::max(misfit.delta2, facts.least_delta2), facts.count, report.parameters,
                      facts.sigma_known ? SigmaKnowledge::known : SigmaKnowledge::unknown);
+    report.delta2 = misfit.delta2;
     report.psi.assign(misfit.psi.begin(), misfit.psi.end());
     report.max_residual = misfit.max_residual;
     report.samples = facts.count;
@@ -19,6 +22,7 @@ void fill_criteria(FitSurfaceReport& report, const Misfit& misfit, const SampleF
     report.sigma = facts.sigma;
     report.sigma_source = facts.source;
     const double degrees = static_cast<double>(facts.count) - report.parameters;
+    if (degrees > 0) report.sigma2 = misfit.delta2 / degrees;
     if (facts.sigma_known && degrees > 0) report.chi2_p = chi2_survival(misfit.delta2, degrees);
 }
 
@@ -33,6 +37,70 @@ void fill_lines(FitSurfaceReport& report, const SplineSurface& surface) {
     report.intervals = {static_cast<int>(report.breaks_x.size()) - 1,
                         static_cast<int>(report.breaks_y.size()) - 1};
     report.parameters = static_cast<int>(surface.coefficients().size());
+}
+
+void note_what_is_badly_fitted(FitSurfaceReport& report) {
+    constexpr double swings = 2, improbable = 1e-6;
+    const auto rounded = [](double x) { return format_fixed(x, 2); };
+    const Separability& s = report.separability;
+    const std::string apart = "; separability " + rounded(s.additive) + ", " + rounded(s.product) +
+                              " (0: made of u(x) and v(y))";
+    if (report.oscillation > swings) {
+        report.notes.push_back("oscillation " + rounded(report.oscillation) +
+                               ": the surface swings between the samples" + apart +
+                               ": fronts that are not parallel to the axes want curved knot lines");
+    } else if (report.chi2_p && *report.chi2_p < improbable) {
+        report.notes.push_back("chi2_p: the residuals are larger than the errors, sigma2 is " +
+                               rounded(report.sigma2.value_or(0)) + apart);
+    }
+}
+
+namespace {
+
+/// The ends of a domain and the lines between, which are straight.
+std::vector<double> straight_breaks(Interval domain, std::span<const SplineFunction> lines,
+                                    bool are_straight) {
+    std::vector<double> breaks{domain.lo};
+    for (const SplineFunction& line : lines) {
+        if (are_straight) breaks.push_back(line.coefficients().front());
+    }
+    breaks.push_back(domain.hi);
+    return breaks;
+}
+
+/// delta2, psi and the largest residual of all nodes.
+Misfit front_misfit(const Nodes& nodes, const CurvedKnotSurface& surface) {
+    NodeTotals totals(nodes);
+    std::vector<double> row(nodes.y.size());
+    for (std::size_t r = 0; r < nodes.x.size(); ++r) {
+        for (std::size_t s = 0; s < row.size(); ++s) row[s] = surface(nodes.x[r], nodes.y[s]);
+        totals.add(r, {0, row.size()}, row.data(), row.data());
+    }
+    Misfit result;
+    totals.finish(result);
+    return result;
+}
+
+}  // namespace
+
+void fill_front(FrontReport& report, const Nodes& nodes, const CurvedKnotSurface& surface) {
+    const Misfit measured = front_misfit(nodes, surface);
+    const double degrees = static_cast<double>(nodes.count) - report.parameters;
+    report.aic = fit_criteria(report.delta2, nodes.count, report.parameters,
+                              SigmaKnowledge::known).aic;
+    if (nodes.sigma_known && degrees > 0) report.chi2_p = chi2_survival(report.delta2, degrees);
+    report.psi.assign(measured.psi.begin(), measured.psi.end());
+    report.max_residual = measured.max_residual;
+    const bool is_upright = report.front == FrontRuns::across_rows;
+    const Rectangle& domain = surface.domain();
+    report.breaks_x = straight_breaks(domain.x, surface.x_lines(), !is_upright);
+    report.breaks_y = straight_breaks(domain.y, surface.y_lines(), is_upright);
+    report.separability = separability(surface, nodes.x, nodes.y);
+    report.oscillation = oscillation(surface, nodes.x, nodes.y);
+    report.samples = nodes.count;
+    report.missing = nodes.missing;
+    report.sigma = nodes.sigma;
+    report.sigma_source = nodes.source;
 }
 
 void require_finite_solution(const std::vector<double>& coefficients, double delta2) {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "batten/make/fit_front.hpp"
 #include "batten/make/fit_surface_report.hpp"
 #include "batten/shape/spline_surface.hpp"
 #include "make/fit_surface/solve.hpp"
@@ -16,6 +17,7 @@ struct SampleFacts {
     bool sigma_known = false;
     SigmaSource source = SigmaSource::estimated;
     std::optional<double> sigma;
+    double least_delta2 = 0;  ///< what rounding leaves
 };
 
 /// Knots, breaks, numbers of strips and coefficients.
@@ -23,6 +25,12 @@ void fill_lines(FitSurfaceReport& report, const SplineSurface& surface);
 
 /// Everything that follows from the residuals; after fill_lines.
 void fill_criteria(FitSurfaceReport& report, const Misfit& misfit, const SampleFacts& facts);
+
+/// Notes where the surface swings between the samples, or leaves more than the errors.
+void note_what_is_badly_fitted(FitSurfaceReport& report);
+
+/// What a front's report says of its nodes: after delta2, parameters and bic.
+void fill_front(FrontReport& report, const Nodes& nodes, const CurvedKnotSurface& surface);
 
 /// Throws `number.overflow` unless all is finite.
 void require_finite_solution(const std::vector<double>& coefficients, double delta2);

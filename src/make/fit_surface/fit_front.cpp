@@ -1,15 +1,14 @@
 #include "batten/make/fit_front.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
 
 #include "batten/base/error.hpp"
-#include "batten/base/text.hpp"
 #include "make/fit_surface/exchanged.hpp"
+#include "make/fit_surface/filled_report.hpp"
 #include "make/fit_surface/front_jump.hpp"
 #include "make/fit_surface/front_model.hpp"
 #include "make/fit_surface/front_path.hpp"
@@ -274,15 +273,29 @@ struct FrontLimits {
 
 constexpr FrontLimits front_limits[] = {{5, 3}, {6, 4}, {6, 6}, {6, 8}};
 
+/// A trial as a step of the path: bic with the moved parameters charged.
+SurfaceStep step_of(const Nodes& nodes, const FrontTrial& trial) {
+    const FrontShape& shape = trial.descent.shape;
+    SurfaceStep step{fit_criteria(trial.descent.state.delta2, nodes.count, shape.coefficients(),
+                                  SigmaKnowledge::known),
+                     {shape.lines() + 1, shape.y_strips},
+                     shape.coefficients(),
+                     {}};
+    step.bic = trial.bic;
+    return step;
+}
+
 /// One line, interval or strip more or less, as long as bic falls; every shape is tried once.
 class Climb {
 public:
     Climb(const Nodes& nodes, FrontTrial start, int most_steps)
         : nodes_(nodes), best_(std::move(start)), most_steps_(most_steps) {
         tried_.insert(numbers_of(best_.descent.shape));
+        path_.push_back(step_of(nodes_, best_));
     }
 
     const FrontTrial& best() const { return best_; }
+    const std::vector<SurfaceStep>& path() const { return path_; }
 
     void run(const FrontLimits& limits) {
         const int lines = std::max(jump_lines, limits.lines);
@@ -320,6 +333,7 @@ private:
         if (!tried_.insert(numbers_of(shape)).second) return false;
         FrontTrial next = best_trial(nodes_, shape, carried_over(nodes_, best_.descent, shape),
                                      most_steps_);
+        if (std::isfinite(next.bic)) path_.push_back(step_of(nodes_, next));
         if (!(next.bic < best_.bic)) return false;
         best_ = std::move(next);
         return true;
@@ -327,6 +341,7 @@ private:
 
     const Nodes& nodes_;
     FrontTrial best_;
+    std::vector<SurfaceStep> path_;
     int most_steps_;
     std::set<Numbers> tried_;
 };
@@ -399,10 +414,13 @@ FrontFit fit_front(const SurfaceSamples& samples, const FitFrontOptions& options
     CurvedKnotSurface surface =
         front_surface(best.descent.shape, best.descent.theta, best.descent.state.coefficients);
     fill_front_lines(report, surface.x_lines());
+    report.path = climb.path();
     if (!is_upright) {
         std::swap(report.intervals[0], report.intervals[1]);
+        for (SurfaceStep& step : report.path) std::swap(step.intervals[0], step.intervals[1]);
         surface = exchanged(surface);
     }
+    fill_front(report, rows, surface);
     report.tensor_bic = product.report.bic;
     report.has_front = has_front;
     return {std::move(surface), std::move(report), std::move(product)};
@@ -433,46 +451,10 @@ LinesFit fit_with_lines(const SurfaceSamples& samples, std::span<const SplineFun
     trial.bic = trial_of(nodes, trial.descent, 0).bic;
     FrontReport report = front_report(nodes, trial);
     fill_front_lines(report, lines);
-    return {front_surface(shape, {}, trial.descent.state.coefficients), std::move(report)};
-}
-
-std::vector<SplineFunction> lines_through(const Points& rows) {
-    const std::size_t n = rows.size();
-    if (n == 0 || rows.dim() < 2) {
-        throw Error("surface.lines", "lines", std::to_string(n) + " rows",
-                    "rows y, X_1, X_2, … are needed");
-    }
-    std::vector<double> y;
-    for (std::size_t i = 0; i < n; ++i) {
-        y.push_back(rows(i, 0));
-        if (i == 0 || y[i - 1] < y[i]) continue;
-        throw Error("surface.lines", "row " + std::to_string(i), format_number(y[i]),
-                    "the rows of knot lines rise in y");
-    }
-    if (n == 1) throw Error("surface.lines", "lines", "one row", "at least two rows are needed");
-    // Not-a-knot: the second and the last but one place are no knots.
-    const int degree = static_cast<int>(std::min<std::size_t>(3, n - 1));
-    std::vector<double> knots(static_cast<std::size_t>(degree) + 1, y.front());
-    for (std::size_t i = 2; degree == 3 && i + 2 < n; ++i) knots.push_back(y[i]);
-    knots.insert(knots.end(), static_cast<std::size_t>(degree) + 1, y.back());
-    const BSplineBasis basis(knots, degree);
-    const int size = static_cast<int>(n);
-    Eigen::MatrixXd values = Eigen::MatrixXd::Zero(size, size);
-    for (int i = 0; i < size; ++i) {
-        double local[4];
-        basis.nonzero(y[static_cast<std::size_t>(i)], 0, local);
-        const int first = static_cast<int>(basis.span_of(y[static_cast<std::size_t>(i)])) - degree;
-        for (int j = 0; j <= degree; ++j) values(i, first + j) = local[j];
-    }
-    const Eigen::PartialPivLU<Eigen::MatrixXd> solver(values);
-    std::vector<SplineFunction> lines;
-    for (int k = 1; k < rows.dim(); ++k) {
-        Eigen::VectorXd places(size);
-        for (int i = 0; i < size; ++i) places[i] = rows(static_cast<std::size_t>(i), k);
-        const Eigen::VectorXd c = solver.solve(places);
-        lines.emplace_back(knots, std::vector<double>(c.data(), c.data() + size), degree);
-    }
-    return lines;
+    report.path = {step_of(nodes, trial)};
+    CurvedKnotSurface surface = front_surface(shape, {}, trial.descent.state.coefficients);
+    fill_front(report, nodes, surface);
+    return {std::move(surface), std::move(report)};
 }
 
 }  // namespace batten

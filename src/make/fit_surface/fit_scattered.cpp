@@ -50,7 +50,8 @@ SurfaceFit fit_scattered(const ScatteredSamples& samples, const FitSurfaceOption
     SplineSurface surface(x, y, std::move(fit.solution.coefficients));
     fill_lines(report, surface);
     fill_criteria(report, fit.misfit,
-                  {cloud.count(), 0, cloud.sigma_known, cloud.source, cloud.sigma});
+                  {cloud.count(), 0, cloud.sigma_known, cloud.source, cloud.sigma,
+                   cloud.least_delta2});
     if (!cloud.sigma_known) scale_to_leftover(report, cloud, surface);
     report.parameters_charged = report.parameters + choice.moved;
     const std::vector<double> across = typical_lines(cloud.domain.x, cloud.count());
@@ -68,6 +69,7 @@ SurfaceFit fit_scattered(const ScatteredSamples& samples, const FitSurfaceOption
         report.notes.push_back(std::to_string(fit.faint) +
                                " more coefficients follow from smoothness rather than from samples");
     }
+    note_what_is_badly_fitted(report);
     const bool is_whole = report.undetermined.empty() && fit.faint == 0;
     report.status = !is_whole              ? Status::rank_deficient
                     : !choice.is_converged ? Status::not_converged

@@ -51,7 +51,7 @@ SurfaceFit fit_surface(const SurfaceSamples& samples, const FitSurfaceOptions& o
     SplineSurface surface(x.basis(), y.basis(), std::move(solution.coefficients));
     fill_lines(report, surface);
     fill_criteria(report, measured, {nodes.count, nodes.missing, nodes.sigma_known, nodes.source,
-                                     nodes.sigma});
+                                     nodes.sigma, nodes.least_delta2});
     report.parameters_charged = report.parameters + choice.moved;
     report.separability = separability(surface, nodes.x, nodes.y);
     report.oscillation = oscillation(surface, nodes.x, nodes.y);
@@ -60,6 +60,7 @@ SurfaceFit fit_surface(const SurfaceSamples& samples, const FitSurfaceOptions& o
     if (!report.undetermined.empty()) {
         report.notes.push_back("holes in the data leave coefficients open: continued smoothly");
     }
+    note_what_is_badly_fitted(report);
     report.status = surface_status(report, solution, choice);
     return {std::move(surface), std::move(report)};
 }

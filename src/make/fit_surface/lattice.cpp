@@ -188,10 +188,7 @@ bool Lattice::can_split(Strip strip) const {
     return is_determined(basis_over(finer, degree_), strip.is_x ? used_x_ : used_y_);
 }
 
-std::optional<Lattice::Strip> Lattice::worst(std::array<int, 2> most) const {
-    const auto measure = [&](Strip s) {
-        return s.is_x ? misfit_.x_strips[s.index] : misfit_.y_strips[s.index];
-    };
+std::vector<Lattice::Strip> Lattice::strips(std::array<int, 2> most) const {
     std::vector<Strip> strips;
     if (most[0] == 0 || x_strips() < most[0]) {
         for (std::size_t i = 0; i < misfit_.x_strips.size(); ++i) strips.push_back({true, i});
@@ -199,12 +196,28 @@ std::optional<Lattice::Strip> Lattice::worst(std::array<int, 2> most) const {
     if (most[1] == 0 || y_strips() < most[1]) {
         for (std::size_t i = 0; i < misfit_.y_strips.size(); ++i) strips.push_back({false, i});
     }
-    std::stable_sort(strips.begin(), strips.end(),
+    return strips;
+}
+
+std::optional<Lattice::Strip> Lattice::worst(std::array<int, 2> most) const {
+    std::vector<Strip> order = strips(most);
+    std::stable_sort(order.begin(), order.end(),
                      [&](Strip a, Strip b) { return measure(a) > measure(b); });
-    for (const Strip s : strips) {
+    for (const Strip s : order) {
         if (can_split(s)) return s;
     }
     return std::nullopt;
+}
+
+bool Lattice::is_tied(Strip worst, std::array<int, 2> most) const {
+    constexpr double tie = 1e-9;
+    const double largest = measure(worst);
+    if (!(misfit_.delta2 > least_delta2())) return false;
+    const std::vector<Strip> all = strips(most);
+    return std::any_of(all.begin(), all.end(), [&](Strip s) {
+        const bool is_same = s.is_x == worst.is_x && s.index == worst.index;
+        return !is_same && std::fabs(largest - measure(s)) <= tie * largest && can_split(s);
+    });
 }
 
 void Lattice::split(Strip strip) {

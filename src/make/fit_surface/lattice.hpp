@@ -18,6 +18,8 @@ public:
     int degree() const { return degree_; }
     std::size_t samples() const { return nodes_ ? nodes_->count : cloud_->count(); }
     bool knows_sigma() const { return nodes_ ? nodes_->sigma_known : cloud_->sigma_known; }
+    /// What rounding leaves, where errors are estimated.
+    double least_delta2() const { return nodes_ ? nodes_->least_delta2 : cloud_->least_delta2; }
     const std::vector<double>& x_breaks() const { return x_breaks_; }
     const std::vector<double>& y_breaks() const { return y_breaks_; }
     int x_strips() const { return static_cast<int>(x_breaks_.size()) - 1; }
@@ -51,6 +53,8 @@ public:
         std::size_t index = 0;
     };
     std::optional<Strip> worst(std::array<int, 2> most) const;
+    /// Whether another strip that can be split fits as badly, to 1e-9, and by more than rounding.
+    bool is_tied(Strip worst, std::array<int, 2> most) const;
     void split(Strip strip);
 
     /// Strips of equal width, if the nodes determine splines over them.
@@ -66,6 +70,10 @@ private:
     bool fits(const std::vector<double>& x_breaks, const std::vector<double>& y_breaks) const;
     bool go_to_finer_strips();
     bool can_split(Strip strip) const;
+    double measure(Strip s) const {
+        return s.is_x ? misfit_.x_strips[s.index] : misfit_.y_strips[s.index];
+    }
+    std::vector<Strip> strips(std::array<int, 2> most) const;
     Axis axis_over(const std::vector<double>& breaks, Way way) const;
     void set(std::vector<double> x_breaks, std::vector<double> y_breaks);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "num/rows.hpp"
 
@@ -70,6 +71,16 @@ void MixedNoiseOfRows::add(double x, std::span<const double> z) {
     x_.push_back(x);
     rows_.insert(rows_.end(), z.begin(), z.end());
     if (x_.size() == 3) noise_.add(x_, rows_);
+}
+
+double usable_noise(double noise, double largest) {
+    const double least = std::max(noise, std::numeric_limits<double>::epsilon() * largest);
+    return least > 0 ? least : 1;
+}
+
+double unavoidable_delta2(std::size_t count, double accuracy, double largest, double sigma) {
+    const double lost = accuracy * largest / sigma;
+    return static_cast<double>(count) * lost * lost;
 }
 
 double mixed_noise(const SurfaceSamples& given) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -41,6 +42,16 @@ private:
     MixedNoise noise_;
     std::vector<double> x_, rows_;  ///< the last three
 };
+
+/// An estimated noise: at least an ulp of the largest height, 1 where all heights are 0.
+double usable_noise(double noise, double largest);
+
+/// How exactly heights are met, as a share of the largest: by a direct solution, by iteration.
+constexpr double direct_accuracy = 8 * std::numeric_limits<double>::epsilon();
+constexpr double iterated_accuracy = 1e-11;
+
+/// The delta2 of so many samples that is no misfit but what their solution leaves.
+double unavoidable_delta2(std::size_t count, double accuracy, double largest, double sigma);
 
 /// Of a grid, from where all nine nodes of a difference are there.
 double mixed_noise(const SurfaceSamples& given);

@@ -1,6 +1,7 @@
 #include "make/fit_surface/nodes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -8,6 +9,7 @@
 #include "batten/base/text.hpp"
 #include "make/fit_surface/grid_lines.hpp"
 #include "make/fit_surface/mixed_noise.hpp"
+#include "num/lanes.hpp"
 
 namespace batten::surface_fitting {
 namespace {
@@ -56,6 +58,25 @@ void take_cells(Nodes& nodes, const SurfaceSamples& given, bool has_own_errors) 
     }
     nodes.z = nodes.filled;
     nodes.missing = nodes.z.size() - nodes.count;
+}
+
+/// Of the nodes that are there. Those that are no numbers are refused later: 0 where there are any.
+double largest_height(const GridView& z) {
+    const std::span<const double> values = z.values();
+    std::array<double, num::lanes> lanes{};
+    const auto take = [](double& largest, double height) {
+        const double size = std::fabs(height);
+        largest = size > largest ? size : largest;
+    };
+    std::size_t k = 0;
+    for (; !z.has_mask() && k + num::lanes <= values.size(); k += num::lanes) {
+        for (std::size_t l = 0; l < num::lanes; ++l) take(lanes[l], values[k + l]);
+    }
+    for (; k < values.size(); ++k) {
+        if (z.has(k / z.nv(), k % z.nv())) take(lanes[0], values[k]);
+    }
+    const double largest = *std::max_element(lanes.begin(), lanes.end());
+    return std::isfinite(largest) ? largest : 0;
 }
 
 /// The geometric mean of the errors, to be the common one of the preconditioner: the nearest power
@@ -112,7 +133,7 @@ Nodes prepared_nodes(const SurfaceSamples& given, const FitSurfaceOptions& optio
     bool has_own_errors = false;
     nodes.sigma_known = true;
     nodes.source = SigmaSource::column;
-    double common = 1;
+    double common = 1, largest = 0;
     if (!given.sigma.empty()) {
         has_own_errors = !is_product(given);
         if (has_own_errors) {
@@ -128,8 +149,8 @@ Nodes prepared_nodes(const SurfaceSamples& given, const FitSurfaceOptions& optio
     } else if (given.x_sigma.empty() && given.y_sigma.empty()) {
         nodes.source = options.sigma ? SigmaSource::number : SigmaSource::estimated;
         nodes.sigma_known = options.sigma.has_value();
-        common = options.sigma ? *options.sigma : mixed_noise(given);
-        if (!(common > 0)) common = 1;
+        if (!options.sigma) largest = largest_height(given.z);
+        common = options.sigma ? *options.sigma : usable_noise(mixed_noise(given), largest);
         nodes.sigma = common;
     }
     for (double& weight : nodes.x_weight) weight /= common;
@@ -143,6 +164,10 @@ Nodes prepared_nodes(const SurfaceSamples& given, const FitSurfaceOptions& optio
     if (has_holes || has_own_errors) {
         nodes.count = 0;
         take_cells(nodes, given, has_own_errors);
+    }
+    if (!nodes.sigma_known) {
+        const double accuracy = nodes.is_full() ? direct_accuracy : iterated_accuracy;
+        nodes.least_delta2 = unavoidable_delta2(nodes.count, accuracy, largest, common);
     }
     if (nodes.count == 0) {
         throw Error("fit.too-few", "grid", "0 nodes", "at least one node must have a height");

@@ -33,6 +33,7 @@ struct Nodes {
     bool sigma_known = false;
     SigmaSource source = SigmaSource::estimated;
     std::optional<double> sigma;               ///< where it is one number
+    double least_delta2 = 0;                   ///< what rounding leaves, where errors are estimated
     std::vector<double> filled;                ///< owns z where nodes are missing
 
     bool is_full() const { return cell_factor_sq.empty(); }

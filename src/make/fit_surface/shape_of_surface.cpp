@@ -73,20 +73,32 @@ std::vector<double> middles(std::span<const double> lines) {
     return result;
 }
 
-}  // namespace
+Grid heights(const SplineSurface& surface, std::span<const double> x, std::span<const double> y) {
+    return surface.evaluate(x, y);
+}
 
-Separability separability(const SplineSurface& surface, std::span<const double> x,
-                          std::span<const double> y) {
-    const Grid z = surface.evaluate(thinned(x), thinned(y));
+Grid heights(const CurvedKnotSurface& surface, std::span<const double> x,
+             std::span<const double> y) {
+    Grid z(x.size(), y.size());
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        for (std::size_t j = 0; j < y.size(); ++j) z(i, j) = surface(x[i], y[j]);
+    }
+    return z;
+}
+
+template <class Any>
+Separability separability_of(const Any& surface, std::span<const double> x,
+                             std::span<const double> y) {
+    const Grid z = heights(surface, thinned(x), thinned(y));
     return {additive_rest(z), product_rest(z)};
 }
 
-double oscillation(const SplineSurface& surface, std::span<const double> x,
-                   std::span<const double> y) {
+template <class Any>
+double oscillation_of(const Any& surface, std::span<const double> x, std::span<const double> y) {
     const std::span<const double> xs = x.first(std::min(x.size(), most_places));
     const std::span<const double> ys = y.first(std::min(y.size(), most_places));
-    const Grid nodes = surface.evaluate(xs, ys);
-    const Grid between = surface.evaluate(middles(xs), middles(ys));
+    const Grid nodes = heights(surface, xs, ys);
+    const Grid between = heights(surface, middles(xs), middles(ys));
     double fine = 0, coarse = 0, cells = 0, blocks = 0;
     for (std::size_t i = 0; i + 1 < xs.size(); ++i) {
         for (std::size_t j = 0; j + 1 < ys.size(); ++j) {
@@ -103,7 +115,33 @@ double oscillation(const SplineSurface& surface, std::span<const double> x,
             blocks += 1;
         }
     }
-    return coarse > 0 ? std::sqrt(fine / cells / (coarse / blocks)) : 0;
+    constexpr double rounding = 1e-10;
+    double largest = 0;
+    for (const double z : nodes.view().values()) largest = std::max(largest, std::fabs(z));
+    const bool bends = std::sqrt(fine / cells) > rounding * largest;
+    return bends && coarse > 0 ? std::sqrt(fine / cells / (coarse / blocks)) : 0;
+}
+
+}  // namespace
+
+Separability separability(const SplineSurface& surface, std::span<const double> x,
+                          std::span<const double> y) {
+    return separability_of(surface, x, y);
+}
+
+Separability separability(const CurvedKnotSurface& surface, std::span<const double> x,
+                          std::span<const double> y) {
+    return separability_of(surface, x, y);
+}
+
+double oscillation(const SplineSurface& surface, std::span<const double> x,
+                   std::span<const double> y) {
+    return oscillation_of(surface, x, y);
+}
+
+double oscillation(const CurvedKnotSurface& surface, std::span<const double> x,
+                   std::span<const double> y) {
+    return oscillation_of(surface, x, y);
 }
 
 }  // namespace batten::surface_fitting

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "make/fit_surface/mixed_noise.hpp"
 #include "num/tensor.hpp"
 
 namespace batten::surface_fitting {
@@ -11,7 +12,7 @@ namespace {
 /// Rows of nodes held at a time: a few hundred kilobytes for wide grids.
 constexpr std::size_t rows_at_once = 16;
 /// Where conjugate gradients stop, of the energy norm at their start.
-constexpr double small_enough = 1e-11;
+constexpr double small_enough = iterated_accuracy;
 /// Of the triangles' diagonals: below, seminormal equations lose 4 digits of 16 at most.
 constexpr double harmless_spread = 100;
 
