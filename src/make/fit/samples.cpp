@@ -276,7 +276,7 @@ template <class Below>
 const double* first_not(const double* from, const double* near, const double* to, Below below) {
     std::ptrdiff_t step = 16;
     const double *lo = from, *hi = to;
-    if (near < to && !below(*near)) {
+    if (near == to || !below(*near)) {
         hi = near;
         while (hi - from > step && !below(hi[-step])) {
             hi -= step;
