@@ -44,7 +44,8 @@ Outcome run(std::span<const Input> inputs, const SectionOptions& options) {
                 Drawing drawing;
                 drawing.add(CurveLayer{curve, {}, {}});
                 return drawing;
-            }};
+            },
+            {}, {}, {}, MadeSpline{cut}};
 }
 
 }  // namespace

@@ -49,6 +49,46 @@ class Inputs(unittest.TestCase):
         self.assertTrue((points == ZIGZAG).all())
 
 
+class ErrorsOfData(Refusing):
+    """sigma: one of all, a column's name, or an array."""
+
+    x = numpy.linspace(0, 6, 61)
+    y = numpy.sin(x)
+    sigma = numpy.where(x < 3, 0.01, 0.04)
+
+    def fit(self, **options):
+        return batten.fit({"x": self.x, "y": self.y}, knots="equal", intervals=8, **options)
+
+    def test_an_array_is_the_column_bit_for_bit(self):
+        column = batten.fit({"x": self.x, "y": self.y, "sigma": self.sigma}, knots="equal",
+                            intervals=8)
+        for same in (self.sigma, list(self.sigma), self.sigma[::-1][::-1]):
+            self.assertEqual(self.fit(sigma=same).report, column.report)
+        self.assertEqual(self.fit(sigma=self.sigma).options["sigma"], "61 numbers")
+        self.assertEqual(self.fit(sigma=0.01).report, self.fit(sigma=numpy.array(0.01)).report)
+        ratio = (self.fit(sigma=0.01).report["delta2"] /
+                 self.fit(sigma=numpy.full(61, 0.01)).report["delta2"])
+        self.assertAlmostEqual(ratio, 1, delta=1e-9)
+
+    def test_an_infinite_error_takes_the_weight(self):
+        sigma = self.sigma.copy()
+        sigma[5] = numpy.inf
+        self.assertEqual(self.fit(sigma=sigma).report["samples"], 60)
+
+    def test_a_curve_of_points_takes_them_too(self):
+        points = numpy.stack([numpy.cos(self.x), self.y], axis=1)
+        table = {"x": points[:, 0], "y": points[:, 1], "sigma": self.sigma}
+        self.assertEqual(batten.fit(points, parametric=True, sigma=self.sigma).report,
+                         batten.fit(table, parametric=True).report)
+
+    def test_wrong_ones_are_refused(self):
+        self.refused("fit.lengths", lambda: self.fit(sigma=self.sigma[:-1]))
+        self.refused("option.value", lambda: self.fit(sigma=numpy.ones((61, 2))))
+        self.refused("option.value", lambda: self.fit(sigma=[]))
+        self.refused("fit.sigma", lambda: self.fit(sigma=-self.sigma))
+        self.refused("table.unknown-column", lambda: self.fit(sigma="error"))
+
+
 class Errors(Refusing):
     def test_errors_are_value_errors_with_their_parts(self):
         self.assertTrue(issubclass(batten.Error, ValueError))

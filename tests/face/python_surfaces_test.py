@@ -7,14 +7,13 @@ import json
 import os
 import pickle
 import tempfile
-import unittest
 
 import numpy
 
-from python_module import batten, command, main
+from python_module import Refusing, batten, command, main
 
 
-class Surfaces(unittest.TestCase):
+class Surfaces(Refusing):
     x, y = numpy.linspace(0, 1, 31), numpy.linspace(-1, 1, 25)
     heights = numpy.sin(3 * x)[:, None] * numpy.cos(y)[None, :]
 
@@ -35,6 +34,30 @@ class Surfaces(unittest.TestCase):
         lines = batten.contour(made, levels=[0.5])
         self.assertLess(abs(surface(lines.points[:, 2], lines.points[:, 3]) - 0.5).max(), 1e-9)
 
+    def test_level_lines_are_curves_and_inputs(self):
+        u = numpy.linspace(-1, 1, 21)
+        surface = batten.fit_surface(u[:, None] ** 2 + u ** 2, x=u, y=u, sigma=1e-4).surface
+        made = batten.contour(surface, levels=[0.25, 0.49])
+        self.assertIsNone(made.curve)
+        self.assertEqual(len(made.curves), 2)
+        for curve, radius in zip(made.curves, (0.5, 0.7)):
+            numpy.testing.assert_allclose(numpy.hypot(*curve(curve.breaks).T), radius, atol=1e-5)
+        for lines in (made, made.curves):
+            reports = batten.measure(lines).report["curves"]
+            numpy.testing.assert_allclose([r["length"] for r in reports],
+                                          2 * numpy.pi * numpy.array([0.5, 0.7]), rtol=1e-4)
+        self.assertEqual(reports[1], batten.measure(made.curves[1]).report)
+        rows = batten.sample(made, count=9).rows()
+        self.assertEqual(rows["curve"].tolist(), [0.0] * 9 + [1.0] * 9)
+        self.assertEqual(len(batten.convert(made, as_="polyline", tolerance=0.01).curves), 2)
+        self.assertIn("<svg", batten.draw(made).draw())
+        self.assertEqual(batten.draw(made, surface).report["curves"], 2)
+        one = batten.contour(surface, levels=[0.25])
+        self.assertEqual(one.curve.to_json(), made.curves[0].to_json())
+        self.assertEqual(batten.measure(one).report, reports[0])
+        self.refused("curve.several", lambda: batten.compare(one, to=made))
+        self.refused("option.range", lambda: batten.convert(made, only=2))
+
     def test_missing_nodes_are_nan_masked_or_not_there(self):
         holed = self.heights.copy()
         holed[3, 4] = numpy.nan
@@ -42,6 +65,51 @@ class Surfaces(unittest.TestCase):
         two = batten.fit_surface(numpy.ma.masked_invalid(holed), sigma=1e-4)
         self.assertEqual(one.report["missing"], 1)
         self.assertEqual(one.to_json(), two.to_json())
+
+    def test_errors_are_an_array_or_products(self):
+        rows, columns = 1e-4 * (1 + self.x), 1 + self.y ** 2
+        each = rows[:, None] * columns
+        long_form = {"x": numpy.repeat(self.x, 25), "y": numpy.tile(self.y, 31),
+                     "f": self.heights.ravel(), "sigma": each.ravel()}
+        lines = {"x": self.x, "y": self.y, "knots": "equal", "intervals": [3, 2]}
+        expected = batten.fit_surface(long_form, knots="equal", intervals=[3, 2]).report
+        given = batten.fit_surface(self.heights, sigma=each, **lines).report
+        products = batten.fit_surface(self.heights, x_sigma=rows, y_sigma=columns, **lines).report
+        self.assertEqual(given, expected)
+        self.assertAlmostEqual(products["delta2"] / expected["delta2"], 1, delta=1e-6)
+        self.assertEqual(products["sigma_source"], "column")
+        drawn = batten.fit_surface(self.heights, x_sigma=rows, y_sigma=columns, **lines).draw()
+        self.assertIn("residuals", drawn)
+
+    def test_errors_of_missing_nodes_may_be_missing(self):
+        holed, each = self.heights.copy(), numpy.full((31, 25), 1e-4)
+        holed[3, 4] = each[3, 4] = numpy.nan
+        one = batten.fit_surface(holed, sigma=each).report
+        two = batten.fit_surface(holed, sigma=numpy.ma.masked_invalid(each)).report
+        self.assertEqual(one["missing"], 1)
+        self.assertEqual(one, two)
+        self.assertAlmostEqual(one["delta2"] / batten.fit_surface(holed, sigma=1e-4).report["delta2"],
+                               1, delta=1e-9)
+
+    def test_errors_that_do_not_fit_the_grid_are_refused(self):
+        ones = numpy.ones((31, 25))
+        self.refused("fit-surface.sizes", lambda: batten.fit_surface(self.heights, sigma=ones.T))
+        self.refused("fit-surface.sizes",
+                     lambda: batten.fit_surface(self.heights, x_sigma=numpy.ones(25)))
+        self.refused("fit.sigma", lambda: batten.fit_surface(self.heights, sigma=0 * ones))
+        self.refused("fit.options",
+                     lambda: batten.fit_surface(self.heights, sigma=1, y_sigma=numpy.ones(25)))
+        self.refused("option.value", lambda: batten.fit_surface(self.heights, sigma="error"))
+        rows = numpy.stack([ones.ravel()] * 3, axis=1)
+        self.refused("fit.options", lambda: batten.fit_surface(rows, scattered=True, x_sigma=[1]))
+
+    def test_places_are_rows_of_lists_or_arrays(self):
+        surface = batten.fit_surface(self.heights, x=self.x, y=self.y, sigma=1e-4).surface
+        places = [[0.3, 0.4], [0.5, -0.5]]
+        for at in (places, numpy.array(places), [0.3, 0.4, 0.5, -0.5]):
+            z = batten.evaluate(surface, at=at).points[:, 2]
+            numpy.testing.assert_allclose(z, surface(*numpy.transpose(places)), atol=1e-15)
+        self.refused("option.value", lambda: batten.evaluate(surface, at=[[0.3, 0.4], [0.5]]))
 
     def test_columns_by_name_are_a_grid_in_any_order(self):
         x, y = (each.ravel() for each in numpy.meshgrid(self.x, self.y))

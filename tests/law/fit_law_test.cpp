@@ -289,6 +289,28 @@ TEST(FitChunks, MergeToTheFitOfTheWhole) {
     }
 }
 
+TEST(FitChunks, MayEachSeeAPlaceOfTheirOwn) {
+    FitTable table = ragged(500, 12);
+    std::sort(table.x.begin(), table.x.end());
+    const std::vector<double> knots{10, 30, 50, 52, 90};
+    const Fit whole = fit(table.view(), over(knots, 3));
+    for (const std::size_t size : {std::size_t{1}, std::size_t{7}, std::size_t{100}}) {
+        FitChunk chunk({whole.report.breaks.front(), whole.report.breaks.back()}, knots, 3);
+        for (std::size_t first = 0; first < 500; first += size) {
+            const std::size_t count = std::min(size, 500 - first);
+            chunk.add({std::span(table.x).subspan(first, count),
+                       std::span(table.y).subspan(first, count),
+                       std::span(table.sigma).subspan(first, count)});
+        }
+        const Fit result = chunk.solve();
+        EXPECT_EQ(result.report.samples, 500u);
+        EXPECT_NEAR(result.report.delta2 / whole.report.delta2, 1, 1e-11);
+        for (std::size_t j = 0; j < whole.report.coefficients.size(); ++j) {
+            EXPECT_NEAR(result.report.coefficients[j], whole.report.coefficients[j], 1e-9);
+        }
+    }
+}
+
 TEST(FitByInsertion, GivesTheSamePathFromATreeAndFromSamples) {
     // 3,000 samples go through the tree; every fourth step is checked against fixed knots.
     const FitTable table = noisy_curve(3000, 1.5, 10);
