@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <system_error>
 
@@ -91,12 +92,17 @@ Argument read_numbers(const std::string& path, const Field& field) {
                                 : Argument(points_of(table, columns_for(field, table)));
 }
 
-/// Whether a grid stays where it is: asked for by `--stream`, or larger than what is read whole.
+bool is_flag_set(const Command& command, const char* name) {
+    return std::any_of(command.options.begin(), command.options.end(), [&](const auto& option) {
+        return option.first->name == name && option.second == "true";
+    });
+}
+
+/// Whether a grid or a table stays where it is: asked for by `--stream`, or larger than what is read whole.
 bool stays_stored(const std::string& path, const Command& command) {
-    if (command.operation->input != InputKind::grid || path == "-") return false;
-    for (const auto& [field, text] : command.options) {
-        if (field->name == "stream" && text == "true") return true;
-    }
+    const InputKind kind = command.operation->input;
+    if ((kind != InputKind::grid && kind != InputKind::table) || path == "-") return false;
+    if (is_flag_set(command, "stream")) return true;
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(path, error);
     return !error && size > most_bytes;
@@ -134,7 +140,11 @@ Input read_input(const std::string& path, const Command& command) {
                     std::string(command.operation->name) +
                         " takes a curve; `batten interpolate` makes one");
     }
-    if (is_curve) return {source.name, parse_curve(source)};
+    if (is_curve) {
+        std::vector<Curve> curves = parse_curves(source);
+        if (curves.size() == 1) return {source.name, std::move(curves.front())};
+        return {source.name, std::move(curves)};
+    }
     const Table table = parse_table(source);
     if (kind == InputKind::table && command.columns.empty()) {
         return {source.name, PointsInput{table, {}}};
@@ -154,11 +164,44 @@ std::vector<double> column_named(const Table& table, const Field& field, const s
     }
 }
 
+bool is_column(const std::vector<Input>& inputs, const std::string& text) {
+    const auto* points = inputs.empty() ? nullptr : std::get_if<PointsInput>(&inputs.front().content);
+    if (!points) return false;
+    const std::vector<std::string>& names = points->table.names;
+    return text.starts_with('#') || std::find(names.begin(), names.end(), text) != names.end();
+}
+
+/// The errors of a grid's nodes, NaN where there is none.
+Points errors_on_grid(const std::string& path) {
+    const GridFile grid = read_grid(path);
+    Points rows(grid.z.nu(), static_cast<int>(grid.z.nv()));
+    for (std::size_t i = 0; i < grid.z.nu(); ++i) {
+        for (std::size_t j = 0; j < grid.z.nv(); ++j) {
+            rows[i][j] = grid.z.has(i, j) ? grid.z(i, j) : std::numeric_limits<double>::quiet_NaN();
+        }
+    }
+    return rows;
+}
+
+/// A number, a column of the input, or else a file.
+Argument errors_of(const Command& command, const std::string& text,
+                   const std::vector<Input>& inputs) {
+    const bool is_file = !is_number(text) && !is_column(inputs, text) &&
+                         std::filesystem::is_regular_file(text);
+    if (!is_file) return text;
+    const bool is_grid =
+        command.operation->input == InputKind::grid && !is_flag_set(command, "scattered");
+    if (is_grid) return errors_on_grid(text);
+    const Table table = read_table(text);
+    return column_errors(table, column_index(table, "#1"));
+}
+
 Argument argument_of(const Command& command, const Field& field, const std::string& text,
                      const std::vector<Input>& inputs) {
     switch (field.kind) {
         case FieldKind::shape: return read_shape(text);
         case FieldKind::table: return read_numbers(text, field);
+        case FieldKind::errors: return errors_of(command, text, inputs);
         case FieldKind::list:
             if (field.takes_file && !is_list(text)) return read_numbers(text, field);
             return text;

@@ -68,6 +68,17 @@ std::string text_of(const Drawing& drawing, const std::string& format) {
     refuse_format(format, "svg, png, pdf");
 }
 
+std::string text_of(const std::vector<Curve>& curves, const std::string& format) {
+    if (format == "json") return dump_json(curves_value(curves));
+    if (format == "dxf") return dxf(curves);
+    if (format == "svg") {
+        Drawing drawing;
+        for (const Curve& curve : curves) drawing.add(CurveLayer{curve, {}, {}});
+        return svg(drawing);
+    }
+    refuse_format(format, "json, dxf, svg");
+}
+
 std::string report_text(const Command& command, const Outcome& outcome) {
     return dump_json(envelope(*command.operation, outcome));
 }
@@ -90,13 +101,14 @@ std::string output_text(const Command& command, const Outcome& outcome,
         if (format == "json") return dump_json(surface_value(*surface));
         refuse_format(format, with_forms("json", outcome));
     }
+    if (!outcome.curves.empty()) return text_of(outcome.curves, format);
     if (format != "json") refuse_format(format, "json");
     return report_text(command, outcome);
 }
 
-std::string default_format(const Output& output) {
-    if (std::holds_alternative<Rows>(output)) return "csv";
-    if (std::holds_alternative<Drawing>(output)) return "svg";
+std::string default_format(const Outcome& outcome) {
+    if (std::holds_alternative<Rows>(outcome.output)) return "csv";
+    if (std::holds_alternative<Drawing>(outcome.output)) return "svg";
     return "json";
 }
 
@@ -115,11 +127,12 @@ std::vector<FileToWrite> render(const Command& command, const Outcome& outcome) 
     const bool to_standard = writes_to_standard_output(command);
     // What was asked for does not exist: the report says so, and no file does.
     const bool is_missing = command.operation->output != OutputKind::report &&
-                            std::holds_alternative<std::monostate>(outcome.output);
+                            std::holds_alternative<std::monostate>(outcome.output) &&
+                            outcome.curves.empty();
     if (!is_missing && (to_standard || !command.output.empty())) {
         std::string format = command.format;
         if (format.empty()) {
-            format = to_standard ? default_format(outcome.output)
+            format = to_standard ? default_format(outcome)
                                  : suffix_of(command.output);
         }
         all.push_back({to_standard ? "-" : command.output,

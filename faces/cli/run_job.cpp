@@ -67,6 +67,11 @@ std::optional<Input> prepared_input(const Command& command, const StepInput& inp
     return std::nullopt;
 }
 
+/// Whether a text may be a column of the input.
+bool may_be_column(const Field& field) {
+    return field.kind == FieldKind::choice || field.kind == FieldKind::errors;
+}
+
 /// The argument, or nothing where it waits for a step before: its result, or a column of it.
 std::optional<Argument> prepared_argument(const Prepared& prepared, const Field& field,
                                           const StepOption& option) {
@@ -76,7 +81,7 @@ std::optional<Argument> prepared_argument(const Prepared& prepared, const Field&
     if (!text) return batten::argument_of(field, *value);
     std::vector<Input> inputs;
     for (const std::optional<Input>& input : prepared.inputs) {
-        if (!input && field.kind == FieldKind::choice) return std::nullopt;
+        if (!input && may_be_column(field)) return std::nullopt;
         if (input) inputs.push_back(*input);
     }
     return argument_of(prepared.command, field, *text, inputs);
@@ -96,19 +101,13 @@ Prepared prepare(const Step& step, const Command& run) {
     return prepared;
 }
 
-Argument argument_from(const Output& output, const std::string& name) {
-    if (const Curve* curve = std::get_if<Curve>(&output)) return *curve;
-    if (const Rows* rows = std::get_if<Rows>(&output)) return rows->cells;
-    throw Error("job.input", name, "no curve and no rows", "this step makes no input of others");
-}
-
 Outcome outcome_of(const Prepared& prepared, const std::vector<Step>& steps,
                    const std::vector<Outcome>& before) {
     const Step& step = *prepared.step;
     std::vector<Input> inputs;
     for (std::size_t i = 0; i < step.inputs.size(); ++i) {
         const auto* earlier = std::get_if<EarlierStep>(&step.inputs[i]);
-        inputs.push_back(earlier ? input_of(before[earlier->index].output,
+        inputs.push_back(earlier ? input_of(before[earlier->index],
                                             steps[earlier->index].name,
                                             *step.operation, step.columns)
                                  : *prepared.inputs[i]);
@@ -118,8 +117,8 @@ Outcome outcome_of(const Prepared& prepared, const std::vector<Step>& steps,
         const auto& [field, option] = step.options[i];
         const auto* earlier = std::get_if<EarlierStep>(&option);
         Argument argument = prepared.arguments[i] ? *prepared.arguments[i]
-                            : earlier ? argument_from(before[earlier->index].output,
-                                                      steps[earlier->index].name)
+                            : earlier ? batten::argument_of(before[earlier->index],
+                                                            steps[earlier->index].name)
                                       : argument_of(prepared.command, *field,
                                                     *std::get<Value>(option).text(), inputs);
         settings.push_back({field->name, std::move(argument)});

@@ -54,6 +54,12 @@ Array array_of(py::handle object) {
     return array;
 }
 
+/// A masked array with NaN where it is masked; all else as it is.
+py::object unmasked(py::handle object) {
+    if (!py::hasattr(object, "filled")) return py::reinterpret_borrow<py::object>(object);
+    return object.attr("astype")("float64").attr("filled")(std::nan(""));
+}
+
 PointsView view_of_rows(const Array& array, const std::string& name) {
     if (array.ndim() != 2 || array.shape(1) < 1) {
         throw Error("points.dimension", name, "an array of " + std::to_string(array.ndim()) +
@@ -63,9 +69,11 @@ PointsView view_of_rows(const Array& array, const std::string& name) {
             static_cast<int>(array.shape(1))};
 }
 
-Points column_of(const Array& array) {
-    return Points(std::vector<double>(array.data(), array.data() + array.size()), 1);
+std::vector<double> list_of(const Array& array) {
+    return {array.data(), array.data() + array.size()};
 }
+
+Points column_of(const Array& array) { return Points(list_of(array), 1); }
 
 Points points_from(py::handle object, const std::string& name) {
     const Array array = array_of(object);
@@ -196,11 +204,7 @@ Input grid_input(py::handle object, const std::string& name) {
         const auto columns = py::reinterpret_borrow<py::dict>(object);
         return {name, Source{name, text_of(columns_input(columns, name))}};
     }
-    const py::object plain =
-        py::hasattr(object, "filled")
-            ? object.attr("astype")("float64").attr("filled")(std::nan(""))
-            : py::reinterpret_borrow<py::object>(object);
-    const Array heights = array_of(plain);
+    const Array heights = array_of(unmasked(object));
     if (heights && heights.ndim() == 3 && heights.shape(2) == 3) {
         return {name, Source{name, text_of_nodes(heights)}};
     }
@@ -208,6 +212,25 @@ Input grid_input(py::handle object, const std::string& name) {
         throw Error("input.kind", name, type_name(object), "must be a table of heights f[x][y]");
     }
     return {name, grid_of(heights, name)};
+}
+
+/// An array without dimensions, which is its number.
+bool is_single(py::handle object) { return py::reinterpret_borrow<py::array>(object).ndim() == 0; }
+
+bool is_curve_list(py::handle object) {
+    if (!py::isinstance<py::list>(object) || py::len(object) == 0) return false;
+    for (const py::handle each : object) {
+        if (!py::isinstance<Curve>(each)) return false;
+    }
+    return true;
+}
+
+/// `made.curves`, or others.
+Input curves_input(const py::list& list, const std::string& name) {
+    std::vector<Curve> curves;
+    for (const py::handle each : list) curves.push_back(each.cast<const Curve&>());
+    if (curves.size() == 1) return {name, std::move(curves.front())};
+    return {name, std::move(curves)};
 }
 
 }  // namespace
@@ -218,7 +241,7 @@ Input input_from(const Operation& operation, py::handle object, const std::strin
         return {name, object.cast<const HeldSurface&>().surface};
     }
     if (py::isinstance<Made>(object)) {
-        return input_of(object.cast<const Made&>().outcome.output, name, operation);
+        return input_of(object.cast<const Made&>().outcome, name, operation);
     }
     if (operation.input == InputKind::grid) return grid_input(object, name);
     const bool takes_table = operation.input == InputKind::table;
@@ -227,6 +250,7 @@ Input input_from(const Operation& operation, py::handle object, const std::strin
         return takes_table ? Input{name, std::move(columns)}
                            : input_of(table_of(columns), operation);
     }
+    if (is_curve_list(object)) return curves_input(py::reinterpret_borrow<py::list>(object), name);
     const Array array = array_of(object);
     if (!array) throw Error("input.kind", name, type_name(object), "must be points, a curve or a surface");
     return {name, rows_input(array, name)};
@@ -235,18 +259,20 @@ Input input_from(const Operation& operation, py::handle object, const std::strin
 Argument argument_from(const Field& field, py::handle object) {
     if (py::isinstance<Curve>(object)) return object.cast<const Curve&>();
     if (py::isinstance<Made>(object)) {
-        const Output& output = object.cast<const Made&>().outcome.output;
-        if (const Curve* curve = std::get_if<Curve>(&output)) return *curve;
-        if (const Rows* rows = std::get_if<Rows>(&output)) return rows->cells;
+        return argument_of(object.cast<const Made&>().outcome, field.name);
     }
     const bool takes_rows = field.kind == FieldKind::table || field.kind == FieldKind::shape;
     if (takes_rows && !py::isinstance<py::str>(object)) return points_from(object, field.name);
+    if (field.kind == FieldKind::errors && !py::isinstance<py::str>(object)) {
+        // Not looked at here: an error may be infinite, or missing where the height is.
+        const Array errors = array_of(unmasked(object));
+        if (errors && errors.ndim() == 1) return list_of(errors);
+        if (errors && errors.ndim() == 2) return Points(view_of_rows(errors, field.name));
+    }
     const bool takes_numbers = field.takes_file || field.kind == FieldKind::choice;
-    if (takes_numbers && py::isinstance<py::array>(object)) {
+    if (takes_numbers && py::isinstance<py::array>(object) && !is_single(object)) {
         const Array array = array_of(object);
-        if (array && array.ndim() == 1) {
-            return std::vector<double>(array.data(), array.data() + array.size());
-        }
+        if (array && array.ndim() == 1) return list_of(array);
         return points_from(object, field.name);
     }
     return argument_of(field, value_from(object, field.name));

@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "batten/api/operation.hpp"
@@ -25,6 +26,12 @@ struct Made {
 /// What Python calls a `Surface`: a class of its own, since pybind11 takes variants apart.
 struct HeldSurface {
     Surface surface;
+};
+
+/// What Python calls a `Spline`.
+struct HeldSpline {
+    SplineFunction spline;
+    std::optional<FitCovariance> covariance = {};  ///< of a fit's own
 };
 
 /// A curve, a surface, an outcome, an array of rows or of heights, or a map of columns. Arrays of float64 in C order are not

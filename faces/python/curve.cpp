@@ -7,43 +7,23 @@
 #include <optional>
 #include <sstream>
 
+#include "band.hpp"
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
 #include "batten/io/curve_file.hpp"
 #include "batten/io/json.hpp"
 #include "batten/io/svg_path.hpp"
 #include "batten/make/fit_bands.hpp"
+#include "batten/shape/spline_graph.hpp"
 
 namespace batten::python {
 namespace {
 
-constexpr int most_derivatives = 15;
 /// Parameters evaluated at once where only one derivative of several is kept.
 constexpr std::size_t block = 512;
 
-void require_order(int order, const char* name) {
-    if (order < 0 || order > most_derivatives) {
-        throw Error("option.range", name, std::to_string(order),
-                    "must be at least 0 and at most " + std::to_string(most_derivatives));
-    }
-}
-
-void require_finite(std::span<const double> t) {
-    for (const double x : t) {
-        if (!std::isfinite(x)) {
-            throw Error("curve.parameter", "t", format_number(x), "parameters must be finite");
-        }
-    }
-}
-
 std::span<const double> numbers_in(const Array& array) {
     return {array.data(), static_cast<std::size_t>(array.size())};
-}
-
-std::vector<py::ssize_t> shape_of(const Array& t, std::initializer_list<int> more) {
-    std::vector<py::ssize_t> shape(t.shape(), t.shape() + t.ndim());
-    shape.insert(shape.end(), more.begin(), more.end());
-    return shape;
 }
 
 /// `given` where it fits, else a new array.
@@ -79,7 +59,7 @@ py::array_t<double> called(const Curve& curve, const Array& t, int nu, const py:
     py::array_t<double> result = room_for(shape_of(t, {curve.dim()}), given);
     const std::span<double> out{result.mutable_data(), static_cast<std::size_t>(result.size())};
     const py::gil_scoped_release free;
-    require_finite(parameters);
+    require_finite(parameters, "t");
     if (nu == 0) {
         curve.jets(parameters, 0, out);
     } else {
@@ -94,47 +74,33 @@ py::array_t<double> jets(const Curve& curve, const Array& t, int order, const py
     py::array_t<double> result = room_for(shape_of(t, {order + 1, curve.dim()}), given);
     const std::span<double> out{result.mutable_data(), static_cast<std::size_t>(result.size())};
     const py::gil_scoped_release free;
-    require_finite(parameters);
+    require_finite(parameters, "t");
     curve.jets(parameters, order, out);
     return result;
 }
 
-/// The edges of the band of the last coordinate's derivative `nu`.
+/// The band of the last coordinate's derivative `nu`.
 py::tuple band_of(const Curve& curve, const Array& t, int nu, double percent) {
     require_order(nu, "nu");
-    if (!(percent > 0 && percent < 100)) {
-        throw Error("option.range", "percent", format_number(percent),
-                    "must be above 0 and below 100");
-    }
-    const FitCovariance* covariance = covariance_of(curve);
-    if (!covariance) {
-        throw Error("curve.no-band", "band", format_number(percent),
-                    "the curve does not say how sure it is: take that of a fit y(x), nothing made "
-                    "of it");
-    }
     const std::span<const double> parameters = numbers_in(t);
-    py::array_t<double> lower(shape_of(t, {})), upper(shape_of(t, {}));
-    const std::span<double> lo{lower.mutable_data(), parameters.size()};
-    const std::span<double> hi{upper.mutable_data(), parameters.size()};
+    const std::size_t dim = static_cast<std::size_t>(curve.dim());
+    std::vector<double> points(parameters.size() * dim), last(parameters.size());
     {
         const py::gil_scoped_release free;
-        require_finite(parameters);
-        std::vector<double> values(parameters.size() * static_cast<std::size_t>(curve.dim()));
-        if (nu == 0) curve.jets(parameters, 0, values);
-        else derivative(curve, parameters, nu, values);
-        const double factor = covariance->factor(percent);
-        for (std::size_t i = 0; i < parameters.size(); ++i) {
-            const double value = values[(i + 1) * static_cast<std::size_t>(curve.dim()) - 1];
-            const double half = factor * covariance->deviation(parameters[i], nu);
-            if (!std::isfinite(value - half) || !std::isfinite(value + half)) {
-                throw Error("number.overflow", "band", format_number(half),
-                            "is beyond the range of a double");
-            }
-            lo[i] = value - half;
-            hi[i] = value + half;
-        }
+        require_finite(parameters, "t");
+        derivative(curve, parameters, nu, points);
+        for (std::size_t i = 0; i < last.size(); ++i) last[i] = points[(i + 1) * dim - 1];
     }
-    return py::make_tuple(lower, upper);
+    return band_around(t, last, covariance_of(curve), nu, percent);
+}
+
+/// None where the curve is no graph.
+py::object spline_under(const Curve& curve) {
+    std::optional<SplineFunction> spline = spline_of_graph(curve);
+    if (!spline) return py::none();
+    const FitCovariance* covariance = covariance_of(curve);
+    return py::cast(HeldSpline{*std::move(spline),
+                               covariance ? std::optional(*covariance) : std::nullopt});
 }
 
 std::string json_of(const Curve& curve) { return dump_json(curve_value(curve)); }
@@ -161,6 +127,8 @@ void bind_curve(py::module_& module) {
         .def("band", &band_of, py::arg("t"), py::arg("nu") = 0, py::arg("percent") = 95.0,
              "Lower and upper edge, at t (any shape), of the band that holds y (or a derivative of\n"
              "it) with this probability at each t by itself. Curves of a fit y(x) only.")
+        .def_property_readonly("spline", &spline_under,
+                               "the Spline whose graph it is, or None where it is none")
         .def_property_readonly("dim", &Curve::dim, "number of coordinates")
         .def_property_readonly("pieces", &Curve::pieces, "number of smooth pieces")
         .def_property_readonly("degree", &Curve::degree,

@@ -7,6 +7,7 @@
 #include "batten/io/json.hpp"
 #include "batten/io/surface_file.hpp"
 #include "batten/io/table.hpp"
+#include "chunk.hpp"
 #include "convert.hpp"
 #include "curve.hpp"
 #include "signature.hpp"
@@ -86,9 +87,26 @@ py::object points_of(py::object self) {
     return rows ? py::object(view_of(rows->cells, self)) : py::none();
 }
 
-py::object curve_of(const Made& made) {
+std::vector<Curve> curves_made(const Made& made) {
     const Curve* curve = std::get_if<Curve>(&made.outcome.output);
-    return curve ? py::cast(*curve) : py::none();
+    return curve ? std::vector<Curve>{*curve} : made.outcome.curves;
+}
+
+/// None where there is none, or more than one.
+py::object curve_of(const Made& made) {
+    const std::vector<Curve> curves = curves_made(made);
+    return curves.size() == 1 ? py::cast(curves.front()) : py::none();
+}
+
+py::list curve_list(const std::vector<Curve>& curves) {
+    py::list list;
+    for (const Curve& curve : curves) list.append(py::cast(curve));
+    return list;
+}
+
+py::object spline_made(const Made& made) {
+    if (!made.outcome.spline) return py::none();
+    return py::cast(HeldSpline{made.outcome.spline->spline, made.outcome.spline->covariance});
 }
 
 py::object surface_of(const Made& made) {
@@ -142,7 +160,11 @@ py::object picture_of(const Made& made) {
 
 void bind_outcome(py::module_& module) {
     py::class_<Made>(module, "Outcome", "What an operation made, and how good it is.")
-        .def_property_readonly("curve", &curve_of, "the curve, or None where none was made")
+        .def_property_readonly("curve", &curve_of, "the curve, or None where none was made, or several")
+        .def_property_readonly("curves", [](const Made& m) { return curve_list(curves_made(m)); },
+                               "all curves that were made")
+        .def_property_readonly("spline", &spline_made,
+                               "the spline y(x), or None where none was made")
         .def_property_readonly("surface", &surface_of, "the surface, or None where none was made")
         .def_property_readonly("points", &points_of, "the rows, or None where none were made")
         .def_property_readonly("names", &names_of, "what the columns of the rows are called")
@@ -192,10 +214,16 @@ PYBIND11_MODULE(_core, module) {
     bind_surface(module);
     bind_spline(module);
     bind_outcome(module);
+    bind_chunk(module);
     module.def("read_points", &read_points_file, py::arg("path"), py::arg("columns") = "",
                "The points in a file of any format that the command line reads.");
     module.def("read_curve", &batten::read_curve, py::arg("path"),
                "The curve in a file of Batten or an SVG picture.");
+    module.def("read_curves",
+               [](const std::string& path) {
+                   return curve_list(batten::parse_curves(batten::read_source(path)));
+               },
+               py::arg("path"), "All curves in a file, a list.");
     module.def("read_surface", [](const std::string& path) { return HeldSurface{batten::read_surface(path)}; },
                py::arg("path"), "The surface in a file of Batten.");
     module.def("_stubs", &stubs, "The operations as they stand in the stub file.");
@@ -204,5 +232,5 @@ PYBIND11_MODULE(_core, module) {
     for (const batten::Operation& operation : batten::operations()) {
         bind_operation(module, operation);
     }
-    for (const char* name : {"Curve", "Outcome", "Surface"}) module.attr(name).attr("__module__") = "batten";
+    for (const char* name : {"Curve", "FitChunk", "Outcome", "Spline", "Surface"}) module.attr(name).attr("__module__") = "batten";
 }

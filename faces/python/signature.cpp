@@ -47,6 +47,7 @@ std::string type_of(const Field& field) {
         case FieldKind::choice: return "Literal[" + words_of(field, ", ") + "] | ArrayLike | None";
         case FieldKind::list: return "ArrayLike | str | Mapping[int, float] | None";
         case FieldKind::table: return "ArrayLike | None";
+        case FieldKind::errors: return "ArrayLike | str | None";
         case FieldKind::shape: return "ArrayLike | Curve | Outcome | None";
     }
     return "object";

@@ -102,14 +102,16 @@ Outcome run(std::span<const Input> inputs, const ContourOptions& options) {
             [surface, lines] { return contour_picture(surface, lines); },
             {{"json", [lines] { return json_of(lines); }},
              {"dxf", [lines] { return dxf(curves_of(lines)); }},
-             {"svg", [domain, lines] { return svg(contour_map(domain, lines)); }}}};
+             {"svg", [domain, lines] { return svg(contour_map(domain, lines)); }}},
+            {},
+            curves_of(lines)};
 }
 
 }  // namespace
 
 Operation contour_row() {
     return row<ContourOptions>({"contour", "lines of equal height of a surface",
-                                InputKind::surface, OutputKind::rows},
+                                InputKind::surface, OutputKind::curves},
                                run);
 }
 

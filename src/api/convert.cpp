@@ -5,6 +5,7 @@
 #include "api/surface_picture.hpp"
 #include "api/surface_values.hpp"
 #include "batten/base/error.hpp"
+#include "batten/io/write_points.hpp"
 
 namespace batten::api {
 namespace {
@@ -13,6 +14,7 @@ struct ConvertRequest {
     ConvertOptions convert;
     MachineOptions machine;
     int count = 65;
+    std::optional<int> only;
 };
 
 template <class Options, class Visit>
@@ -22,6 +24,7 @@ void visit_fields(Options& o, Visit&& visit) {
     visit_fields(o.machine, visit);
     visit("count", o.count, between(2, 10000),
           "of a surface: lines each way of the grid or mesh that is written");
+    visit("only", o.only, at_least(0), "of a file of several curves: this one, counted from 0");
 }
 
 Drawing picture(const Curve& before, const Curve& after) {
@@ -42,8 +45,10 @@ void visit_fields(const SurfaceForm& r, Visit&& visit) {
 
 Outcome run_surface(const Surface& surface, const ConvertRequest& request) {
     const ConvertOptions& o = request.convert;
-    if (o.as != Form::same || o.reverse || o.trim || o.scale) {
-        throw Error("surface.option", "convert", "as, reverse, trim or scale",
+    const bool asks_curve = o.as != Form::same || o.reverse || o.trim || o.scale ||
+                            !o.insert_knots.empty() || o.elevate > 0 || o.remove_knots;
+    if (asks_curve) {
+        throw Error("surface.option", "convert", "as, reverse, trim, scale, knots or degree",
                     "these are for curves; a surface takes count and format");
     }
     const auto count = static_cast<std::size_t>(request.count);
@@ -55,6 +60,15 @@ Outcome run_surface(const Surface& surface, const ConvertRequest& request) {
             surface_forms(surface, even_places(domain.x, count), even_places(domain.y, count))};
 }
 
+/// The polynomials of each piece: `x2` is the coefficient of (t - from)^2 in x.
+Rows power_rows(const Curve& curve) {
+    Rows rows{{"from", "to"}, power_form(curve)};
+    for (const std::string& axis : coordinate_names(curve.dim())) {
+        for (int j = 0; j <= *curve.degree(); ++j) rows.names.push_back(axis + std::to_string(j));
+    }
+    return rows;
+}
+
 Outcome run(std::span<const Input> inputs, const ConvertRequest& request) {
     if (inputs.size() == 1) {
         if (const auto* surface = std::get_if<Surface>(&inputs.front().content)) {
@@ -63,16 +77,18 @@ Outcome run(std::span<const Input> inputs, const ConvertRequest& request) {
     }
     const Curve& curve = curve_input(inputs);
     const Conversion made = convert(curve, request.convert);
-    return {made.curve, made.report.status, {}, report_value(made.report),
+    const bool is_power = request.convert.as == Form::power;
+    Output output = is_power ? Output(power_rows(made.curve)) : Output(made.curve);
+    return {std::move(output), made.report.status, {}, report_value(made.report),
             [curve, made] { return picture(curve, made.curve); },
-            machine_forms(made.curve, request.machine)};
+            is_power ? std::vector<OutputForm>() : machine_forms(made.curve, request.machine)};
 }
 
 }  // namespace
 
 Operation convert_row() {
     return row<ConvertRequest>(
-        {"convert", "other forms of a curve or surface, trimmed, reversed or scaled",
+        {"convert", "other forms, knots and degrees of a curve or surface, trimmed, reversed or scaled",
          InputKind::curve_or_surface,
          OutputKind::curve},
         run);

@@ -133,13 +133,8 @@ struct Band {
 
 Band band_asked(const Curve& curve, const EvaluateOptions& options) {
     if (!options.band) return {};
-    const FitCovariance* covariance = covariance_of(curve);
-    if (!covariance) {
-        throw Error("curve.no-band", "band", format_number(*options.band),
-                    "the curve does not say how sure it is: take the file that fit y(x) writes, "
-                    "nothing made of it");
-    }
-    return {covariance, covariance->factor(*options.band)};
+    const FitCovariance& covariance = require_covariance(covariance_of(curve));
+    return {&covariance, covariance.factor(*options.band)};
 }
 
 /// `rows` with half the width of the band of the last coordinate and of each derivative.

@@ -160,6 +160,25 @@ void read(const Argument& argument, Coordinates& out, const Slot& slot) {
     for (const double x : out.numbers) checked(x, slot);
 }
 
+/// Limits are those of one error of all: of many, the operation knows which may be what.
+void read(const Argument& argument, Errors& out, const Slot& slot) {
+    out = {};
+    if (const auto* text = std::get_if<std::string>(&argument)) {
+        const std::optional<double> x = parse_number(*text);
+        if (x) out.all = std::isfinite(slot.limits.lo) ? checked(*x, slot) : *x;
+        else out.column = trimmed(*text);
+        if (!out.is_given()) refuse(slot, *text, "must be a number, a column or a file");
+        return;
+    }
+    if (const auto* rows = std::get_if<Points>(&argument)) {
+        out.each.assign(rows->coordinates().begin(), rows->coordinates().end());
+        out.width = static_cast<std::size_t>(rows->dim());
+    } else if (const auto* numbers = std::get_if<std::vector<double>>(&argument)) {
+        out.each = *numbers;
+    }
+    if (out.each.empty()) refuse(slot, "no numbers", "must be one error of all, or one of each");
+}
+
 void read(const Argument& argument, std::vector<Tolerance>& out, const Slot& slot) {
     out.clear();
     if (const auto* text = std::get_if<std::string>(&argument)) {
@@ -211,6 +230,11 @@ Value shown(const Tolerance& x) {
 }
 Value shown(const Angle& x) { return x.radians / degree; }
 Value shown(const AutoNumber& x) { return x.value ? Value(*x.value) : Value("auto"); }
+Value shown(const Errors& x) {
+    if (x.all) return *x.all;
+    if (!x.column.empty()) return x.column;
+    return x.each.empty() ? Value() : Value(std::to_string(x.each.size()) + " numbers");
+}
 Value shown(const IndexRange& x) { return ValueList{x.from, x.to}; }
 Value shown(const Interval& x) { return ValueList{x.lo, x.hi}; }
 Value shown(const std::vector<int>& x) { return ValueList(x.begin(), x.end()); }
@@ -244,6 +268,7 @@ Spelling spelling(const std::string&) { return {FieldKind::text, "TEXT"}; }
 Spelling spelling(const Tolerance&) { return {FieldKind::tolerance, "TOLERANCE"}; }
 Spelling spelling(const Angle&) { return {FieldKind::number, "DEGREES"}; }
 Spelling spelling(const AutoNumber&) { return {FieldKind::text, "NUMBER|auto"}; }
+Spelling spelling(const Errors&) { return {FieldKind::errors, "NUMBER|COLUMN|FILE", true}; }
 Spelling spelling(const IndexRange&) { return {FieldKind::list, "FROM,TO"}; }
 Spelling spelling(const Interval&) { return {FieldKind::list, "A,B"}; }
 Spelling spelling(const std::vector<int>&) { return {FieldKind::list, "I,…"}; }

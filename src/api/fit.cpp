@@ -1,4 +1,4 @@
-#include "batten/make/fit.hpp"
+#include "api/fit_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,52 +17,6 @@
 namespace batten::api {
 namespace {
 
-/// The options of a fit, and the columns that hold its data.
-struct FitTableOptions {
-    std::string x, y, sigma;
-    bool parametric = false;
-    FitOptions fit;
-    Progress progress;
-};
-
-template <class Options, class Visit>
-    requires std::same_as<std::remove_const_t<Options>, FitTableOptions>
-void visit_fields(Options& o, Visit&& visit) {
-    visit("x", o.x, anything, "column of the abscissae [x, else the first]");
-    visit("y", o.y, anything, "column of the ordinates [y or f, else the second]");
-    visit("sigma", o.sigma, anything,
-          "column of the errors (standard deviations), or the error of all [sigma, if there]");
-    visit("parametric", o.parametric, anything,
-          "a curve near points in the order they are passed, instead of y(x)");
-    visit_fields(o.fit, [&](const char* name, auto& member, Limits limits, const char* help) {
-        if (std::string_view(name) != "sigma") visit(name, member, limits, help);
-    });
-}
-
-/// What follows from a fit, with deviations.
-struct FitFeatures {
-    Uncertain integral;
-    std::vector<UncertainPlace> roots, extrema;
-};
-
-template <class Visit>
-void visit_fields(const FitFeatures& r, Visit&& visit) {
-    visit("integral", r.integral, "over the data's range");
-    visit("roots", r.roots, "where the spline is 0");
-    visit("extrema", r.extrema, "places of the extrema");
-}
-
-/// The report, and the features where the data determine the spline.
-Value report_of(const Fit& made) {
-    Value report = report_value(made.report);
-    if (!made.report.undetermined.empty()) return report;
-    const FitCovariance& c = made.covariance;
-    const FitFeatures features{c.integral(made.spline.domain()), c.roots(), c.extrema()};
-    const Value more = report_value(features);
-    for (const auto& entry : *more.map()) report.map()->push_back(entry);
-    return report;
-}
-
 /// Where in the file the samples without weight stand; a few of them, where there are many.
 void note_lines_of_rejected(FitReport& report, const Table& table) {
     constexpr std::size_t most_listed = 20;
@@ -73,45 +27,6 @@ void note_lines_of_rejected(FitReport& report, const Table& table) {
     }
     report.notes.push_back(note + (report.rejected.size() > most_listed ? ", ... of " : " of ") +
                            table.source);
-}
-
-bool has_column(const Table& table, std::string_view name) {
-    return std::find(table.names.begin(), table.names.end(), name) != table.names.end();
-}
-
-/// The column asked for, else the first of `usual` that is there, else the `place`-th.
-int column_of(const Table& table, const std::string& asked, std::initializer_list<const char*> usual,
-              int place) {
-    if (!asked.empty()) return column_index(table, asked);
-    for (const char* const name : usual) {
-        if (has_column(table, name)) return column_index(table, name);
-    }
-    return column_index(table, "#" + std::to_string(place));
-}
-
-std::string name_of_column(const Table& table, int column, const char* otherwise) {
-    return table.names.empty() ? otherwise : table.names[static_cast<std::size_t>(column)];
-}
-
-/// The errors asked for: a column, or a number that goes into options.fit.sigma.
-SharedNumbers sigma_of(const PointsInput& input, FitTableOptions& options) {
-    const Table& table = input.table;
-    if (const auto number = parse_number(options.sigma)) {
-        options.fit.sigma = *number;
-    } else if (!options.sigma.empty()) {
-        return errors_in(input, column_index(table, options.sigma));
-    } else if (options.fit.sigma_model.empty() && has_column(table, "sigma")) {
-        return errors_in(input, column_index(table, "sigma"));
-    }
-    return {};
-}
-
-FitData data_of(const PointsInput& input, FitTableOptions& options) {
-    const Table& table = input.table;
-    const int x = column_of(table, options.x, {"x"}, 1);
-    const int y = column_of(table, options.y, {"y", "f"}, x == 1 && options.y.empty() ? 1 : 2);
-    return {column_in(input, x), column_in(input, y), sigma_of(input, options),
-            name_of_column(table, x, "x"), name_of_column(table, y, "y")};
 }
 
 /// One error a sample, whatever they came from: what pictures and rows show.
@@ -163,16 +78,6 @@ Rows distance_rows(PointsView points, const CurveFit& made) {
     return rows;
 }
 
-/// The spline as a curve, which may have jumps.
-Curve curve_of_fit(Fit& made) {
-    const Curve curve = graph_in_parts(made.spline);
-    if (has_jumps(curve)) {
-        made.report.notes.push_back("the spline has jumps: evaluate and draw take it, no operation "
-                                    "that follows a curve does");
-    }
-    return made.report.undetermined.empty() ? with_covariance(curve, made.covariance) : curve;
-}
-
 /// The columns that hold the points: picked, else those with the usual names, else as ever.
 std::vector<int> columns_of(const PointsInput& input, const FitTableOptions& options) {
     const Table& table = input.table;
@@ -218,7 +123,7 @@ void require_kind(const PointsInput& input, const FitTableOptions& options) {
     const auto refuse = [](const char* option, std::string value, const char* rule) {
         throw Error("fit.options", option, std::move(value), rule);
     };
-    if (!options.sigma.empty() && !options.fit.sigma_model.empty()) {
+    if (options.sigma.is_given() && !options.fit.sigma_model.empty()) {
         refuse("sigma_model", "given", "sigma says already what the errors are");
     }
     if (options.parametric) return;
@@ -235,6 +140,9 @@ void require_kind(const PointsInput& input, const FitTableOptions& options) {
 Outcome run(std::span<const Input> inputs, const FitTableOptions& asked) {
     FitTableOptions options = asked;
     options.fit.progress = asked.progress;
+    const bool is_stored =
+        inputs.size() == 1 && std::holds_alternative<StoredFile>(inputs.front().content);
+    if (options.stream || is_stored) return run_fit_streamed(inputs, options);
     const PointsInput& input = points_input(inputs);
     require_kind(input, options);
     if (options.parametric) return run_parametric(input, options);
@@ -245,10 +153,11 @@ Outcome run(std::span<const Input> inputs, const FitTableOptions& asked) {
     made->report.notes.insert(made->report.notes.begin(), input.table.notes.begin(),
                               input.table.notes.end());
     note_lines_of_rejected(made->report, input.table);
-    const Curve curve = curve_of_fit(*made);
+    const Curve curve = curve_of(*made);
     return {curve, made->report.status, {}, report_of(*made),
             [data, made, o = options.fit] { return fit_picture(*data, *made, o); },
-            {}, [data, made] { return residual_rows(*data, made->spline); }};
+            {}, [data, made] { return residual_rows(*data, made->spline); }, {},
+            spline_of(*made)};
 }
 
 }  // namespace

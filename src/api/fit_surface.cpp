@@ -20,6 +20,8 @@ namespace {
 /// The options of a surface fit, and where the grid's lines stand.
 struct SurfaceRequest {
     std::vector<double> x, y;
+    Errors sigma;
+    std::vector<double> x_sigma, y_sigma;
     bool scattered = false;
     Points lines{0, 1};
     bool stream = false;
@@ -39,7 +41,15 @@ void visit_fields(Options& o, Visit&& visit) {
     visit("stream", o.stream, anything,
           "read the file in blocks of rows, as files above 1 GiB always are: .npy or a table, knots "
           "auto, given, or equal with intervals");
-    visit_fields(o.fit, visit);
+    visit_fields(o.fit, [&](const char* name, auto& member, Limits limits, const char* help) {
+        if (std::string_view(name) != "sigma") visit(name, member, limits, help);
+    });
+    visit("sigma", o.sigma, more_than(0),
+          "the errors (standard deviations): one of all, or a grid of them; of --scattered heights a "
+          "column or a file of one a row");
+    visit("x_sigma", o.x_sigma, anything,
+          "errors that are products: a factor for each x, times that of each y");
+    visit("y_sigma", o.y_sigma, anything, "the factor for each y");
 }
 
 void take_lines(std::vector<double>& lines, const std::vector<double>& given, const char* axis) {
@@ -49,6 +59,57 @@ void take_lines(std::vector<double>& lines, const std::vector<double>& given, co
                     "the grid has " + std::to_string(lines.size()) + " lines in this direction");
     }
     lines = given;
+}
+
+bool has_products(const SurfaceRequest& request) {
+    return !request.x_sigma.empty() || !request.y_sigma.empty();
+}
+
+void require_one_kind(const SurfaceRequest& request) {
+    if (request.sigma.is_given() && has_products(request)) {
+        throw Error("fit.options", "sigma", "with x_sigma or y_sigma",
+                    "errors are given for the nodes or as products");
+    }
+}
+
+/// Errors typed count for all nodes, whatever the file says.
+void take_errors(GridFile& grid, const SurfaceRequest& request) {
+    const Errors& asked = request.sigma;
+    require_one_kind(request);
+    if (!asked.column.empty()) {
+        throw Error("option.value", "sigma", asked.column,
+                    "must be a number, or a file of a grid with an error for each node");
+    }
+    if (asked.is_given() || has_products(request)) grid.sigma = asked.each;
+    if (asked.each.empty()) return;
+    const std::size_t rows = asked.each.size() / asked.width;
+    if (rows != grid.x.size() || asked.width != grid.y.size()) {
+        throw Error("fit-surface.sizes", "sigma",
+                    std::to_string(rows) + " x " + std::to_string(asked.width),
+                    "the grid has " + std::to_string(grid.x.size()) + " x " +
+                        std::to_string(grid.y.size()) + " nodes");
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        for (std::size_t j = 0; j < asked.width; ++j) {
+            if (!grid.z.has(i, j)) grid.sigma[i * asked.width + j] = 1;
+        }
+    }
+}
+
+SurfaceSamples samples_of(const GridFile& grid, const SurfaceRequest& request) {
+    return {grid.x, grid.y, grid.z, request.x_sigma, request.y_sigma, grid.sigma};
+}
+
+/// Each node's own error, where they are products: what pictures show.
+GridFile with_products(GridFile grid, const SurfaceRequest& request) {
+    if (!has_products(request)) return grid;
+    grid.sigma.assign(grid.x.size() * grid.y.size(), 1);
+    for (std::size_t k = 0; k < grid.sigma.size(); ++k) {
+        const std::size_t i = k / grid.y.size(), j = k % grid.y.size();
+        if (!request.x_sigma.empty()) grid.sigma[k] *= request.x_sigma[i];
+        if (!request.y_sigma.empty()) grid.sigma[k] *= request.y_sigma[j];
+    }
+    return grid;
 }
 
 Outcome curved_outcome(const CurvedKnotSurface& surface, const FrontReport& report,
@@ -77,9 +138,10 @@ Outcome run_lines(const GridFile& grid, const SurfaceRequest& request) {
                     "with given lines one number tells the strips in y");
     }
     const LinesFit made =
-        fit_with_lines({grid.x, grid.y, grid.z, {}, {}, grid.sigma}, lines_through(request.lines),
+        fit_with_lines(samples_of(grid, request), lines_through(request.lines),
                        n.empty() ? usual_strips : static_cast<int>(n[0]), request.fit.sigma);
-    return curved_outcome(made.surface, made.report, grid, request.fit.sigma);
+    return curved_outcome(made.surface, made.report, with_products(grid, request),
+                          request.fit.sigma);
 }
 
 Outcome tensor_outcome(SurfaceFit made, const GridFile& grid) {
@@ -89,17 +151,20 @@ Outcome tensor_outcome(SurfaceFit made, const GridFile& grid) {
             surface_forms(Surface(made.surface), grid.x, grid.y)};
 }
 
-Outcome run_curved(const GridFile& grid, const FitSurfaceOptions& options) {
-    require_only(options, {"sigma", "knots"},
+Outcome run_curved(const GridFile& grid, const SurfaceRequest& request) {
+    require_only(request.fit, {"sigma", "knots"},
                  "does not go with curved knots, which bic chooses; the surface is cubic");
     FitFrontOptions front;
-    front.sigma = options.sigma;
-    FrontFit made = fit_front({grid.x, grid.y, grid.z, {}, {}, grid.sigma}, front);
-    if (made.report.has_front) return curved_outcome(made.surface, made.report, grid, options.sigma);
+    front.sigma = request.fit.sigma;
+    FrontFit made = fit_front(samples_of(grid, request), front);
+    if (made.report.has_front) {
+        return curved_outcome(made.surface, made.report, with_products(grid, request),
+                              request.fit.sigma);
+    }
     made.tensor.report.notes.push_back(
         "no front is seen: bic is " + format_fixed(*made.report.tensor_bic, 1) +
         " with straight knot lines, " + format_fixed(made.report.bic, 1) + " with curved ones");
-    return tensor_outcome(std::move(made.tensor), grid);
+    return tensor_outcome(std::move(made.tensor), with_products(grid, request));
 }
 
 /// The column of one of these names, else the `place`-th.
@@ -120,7 +185,7 @@ bool has_sigma_column(const Table& table) {
 void require_no_grid(const SurfaceRequest& request) {
     SurfaceRequest others = request;
     others.fit = {};
-    require_only(others, {"scattered"}, "goes with grids only, not with scattered rows");
+    require_only(others, {"scattered", "sigma"}, "goes with grids only, not with scattered rows");
 }
 
 Outcome run_scattered(std::span<const Input> inputs, const SurfaceRequest& request) {
@@ -131,8 +196,14 @@ Outcome run_scattered(std::span<const Input> inputs, const SurfaceRequest& reque
     const std::vector<double> y = column_values(table, scattered_column(table, {"y"}, 2));
     const std::vector<double> z =
         column_values(table, scattered_column(table, {"z", "f", "value", "height"}, 3));
-    std::vector<double> sigma;
-    if (!request.fit.sigma && has_sigma_column(table)) {
+    if (has_products(request) || request.sigma.width != 1) {
+        throw Error("fit.options", has_products(request) ? "x_sigma, y_sigma" : "sigma", "given",
+                    "errors of a grid's nodes are for grids");
+    }
+    std::vector<double> sigma = request.sigma.each;
+    if (!request.sigma.column.empty()) {
+        sigma = column_values(table, column_index(table, request.sigma.column));
+    } else if (!request.sigma.is_given() && has_sigma_column(table)) {
         sigma = column_values(table, scattered_column(table, {"sigma"}, 4));
     }
     const SurfaceFit made = naming_lines(
@@ -156,30 +227,37 @@ Outcome run_streamed(std::span<const Input> inputs, const SurfaceRequest& reques
         throw Error("fit-surface.streamed", request.scattered ? "scattered" : "lines", "given",
                     "only grids with straight knot lines are read in blocks");
     }
+    if (!request.sigma.each.empty() || !request.sigma.column.empty()) {
+        throw Error("fit-surface.streamed", "sigma", "an error a node",
+                    "grids read in blocks have one error of all, or products: x_sigma, y_sigma");
+    }
+    require_one_kind(request);
     GridStream grid = grid_stream_input(inputs);
     std::vector<double> x = grid.x(), y = grid.y();
     take_lines(x, request.x, "x");
     take_lines(y, request.y, "y");
     const SurfaceFit made = fit_surface(
-        {x, y, [&](std::size_t first, std::span<double> z) { grid.read(first, z); }}, request.fit,
-        request.progress);
+        {x, y, [&](std::size_t first, std::span<double> z) { grid.read(first, z); },
+         request.x_sigma, request.y_sigma},
+        request.fit, request.progress);
     return {Surface(made.surface), made.report.status, {}, report_value(made.report),
             [made] { return surface_picture(Surface(made.surface), usual_levels); },
             surface_forms(Surface(made.surface), x, y)};
 }
 
-Outcome run(std::span<const Input> inputs, const SurfaceRequest& request) {
+Outcome run(std::span<const Input> inputs, const SurfaceRequest& asked) {
+    SurfaceRequest request = asked;
+    request.fit.sigma = asked.sigma.all;
     if (is_streamed(inputs, request)) return run_streamed(inputs, request);
     if (request.scattered) return run_scattered(inputs, request);
     GridFile grid = grid_input(inputs);
     take_lines(grid.x, request.x, "x");
     take_lines(grid.y, request.y, "y");
-    FitSurfaceOptions options = request.fit;
-    // An error typed counts for all nodes, whatever the file says.
-    if (options.sigma) grid.sigma.clear();
+    take_errors(grid, request);
     if (!request.lines.empty()) return run_lines(grid, request);
-    if (options.knots == SurfaceKnots::curved) return run_curved(grid, options);
-    return tensor_outcome(fit_surface({grid.x, grid.y, grid.z, {}, {}, grid.sigma}, options), grid);
+    if (request.fit.knots == SurfaceKnots::curved) return run_curved(grid, request);
+    return tensor_outcome(fit_surface(samples_of(grid, request), request.fit),
+                          with_products(grid, request));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "api/options_binding.hpp"
+#include "api/over_curves.hpp"
 #include "api/report_value.hpp"
 #include "batten/api/operation.hpp"
 #include "batten/io/grid_stream.hpp"
@@ -26,6 +27,21 @@ struct Head {
 /// Throws `curve.jumps` where one of the curves given has jumps.
 void require_no_jumps(std::span<const Input> inputs, const std::vector<Setting>& settings);
 
+/// Runs it; several curves one by one where it takes one, or the one that the options name.
+template <class Options>
+Outcome run_on(std::span<const Input> inputs, const Options& options, const Head& head,
+               Outcome (*run)(std::span<const Input>, const Options&)) {
+    if (head.many_inputs) return run(with_single_curves(inputs), options);
+    const auto run_one = [&](const Input& input) {
+        return run(std::span(&input, 1), options);
+    };
+    if constexpr (requires { options.only; }) {
+        if (options.only && inputs.size() == 1) return run_one(only_curve(inputs[0], *options.only));
+    }
+    const Input* several = takes_curve(head.input) ? several_curves(inputs) : nullptr;
+    return several ? over_curves(*several, run_one) : run(inputs, options);
+}
+
 /// A row from an options struct and `run(inputs, options) -> Outcome`; the outcome's options are
 /// filled in here, and options with a member `progress` get it.
 template <class Options>
@@ -41,7 +57,7 @@ Operation row(Head head, Outcome (*run)(std::span<const Input>, const Options&))
                 if (!head.takes_jumps) require_no_jumps(inputs, settings);
                 Options options = options_from<Options>(settings);
                 if constexpr (requires { options.progress; }) options.progress = progress;
-                Outcome outcome = run(inputs, options);
+                Outcome outcome = run_on(inputs, options, head, run);
                 outcome.options = options_value(options);
                 return outcome;
             },

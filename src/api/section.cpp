@@ -68,7 +68,8 @@ Outcome run(std::span<const Input> inputs, const SectionOptions& options) {
                                {cut.breaks().begin(), cut.breaks().end()}};
     return {curve, Status::met, {}, report_value(report), [cut, curve, options] {
                 return section_picture(cut, curve, options);
-            }};
+            },
+            {}, {}, {}, MadeSpline{cut}};
 }
 
 }  // namespace

@@ -178,7 +178,7 @@ Drawing scattered_fit_picture(const SurfaceFit& fit, const ScatteredSamples& sam
     drawing.panels = {height_dots(heights, knots, domain, "data and knot lines"),
                       levels_of(surface, levels),
                       residual_dots(residuals, knots, domain, "residuals"),
-                      relief_of(relief, levels)};
+                      relief_of(surface, relief, levels)};
     return drawing;
 }
 

@@ -85,7 +85,12 @@ std::vector<double> clamped_knots(Interval domain, std::span<const double> insid
 }  // namespace
 
 SplineFunction clamped(const SplineFunction& spline) {
-    return refined(spline, clamped_knots(spline.domain(), interior_knots(spline), spline.degree()));
+    std::vector<double> knots =
+        clamped_knots(spline.domain(), interior_knots(spline), spline.degree());
+    const std::span<const double> own = spline.knots();
+    const bool is_clamped =
+        !spline.is_closed() && std::equal(own.begin(), own.end(), knots.begin(), knots.end());
+    return is_clamped ? spline : refined(spline, std::move(knots));
 }
 
 SplineFunction insert_knots(const SplineFunction& spline, std::span<const double> knots) {

@@ -99,7 +99,7 @@ TEST(JobBad, TwoStepsWriteToDifferentPlaces) {
 }
 
 TEST(JobBad, AReportIsNoInput) {
-    EXPECT_EQ(testing::code_of([] { input_of(Output(), "a", *find_operation("measure")); }),
+    EXPECT_EQ(testing::code_of([] { input_of(Outcome(), "a", *find_operation("measure")); }),
               "job.input");
 }
 

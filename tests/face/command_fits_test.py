@@ -74,6 +74,38 @@ class Fits(Folder):
         self.assertEqual(report["report"]["sigma_source"], "number")
         self.assertLess(report["report"]["delta2"], 1e-20)
 
+    def test_errors_may_stand_in_a_file_of_their_own(self):
+        table = self.file("d.csv", "x,y\n" + "".join(f"{i},{i * i % 7}\n" for i in range(12)))
+        errors = self.file("s.txt", "".join(f"{1 + i % 3}\n" for i in range(12)))
+        whole = self.file("w.csv", "x,y,sigma\n" + "".join(
+            f"{i},{i * i % 7},{1 + i % 3}\n" for i in range(12)))
+        self.assertEqual(self.report("fit", table, "--sigma", errors)["report"],
+                         self.report("fit", whole)["report"])
+        job = {"operation": "fit", "input": table, "options": {"sigma": [1 + i % 3
+                                                                          for i in range(12)]},
+               "report": self.path("j.json")}
+        self.good("run", self.file("job.json", json.dumps(job)))
+        with open(self.path("j.json"), encoding="utf-8") as stream:
+            self.assertEqual(json.load(stream)["report"], self.report("fit", whole)["report"])
+        self.refused("fit.lengths", "fit", fits("titanium.csv"), "--sigma", errors)
+
+    def test_knots_and_degree_of_the_file_of_a_fit_change(self):
+        fit, more = self.path("t.json"), self.path("more.json")
+        self.good("fit", fits("titanium.csv"), "--knots", "equal", "--intervals", "6", "-o", fit)
+        done = self.report("convert", fit, "--insert-knots", "700,700,900", "--elevate", "1", "-o",
+                           more)["report"]
+        self.assertEqual(done["pieces"], 8)
+        self.assertLess(done["max_error"], 1e-11)
+        done = self.report("convert", more, "--remove-knots", "-o", self.path("fewer.json"))
+        self.assertEqual(done["status"], "met")
+        self.assertEqual(done["report"]["pieces"], 6)
+        self.assertGreaterEqual(done["report"]["removed"], 3)
+        self.assertLess(self.report("compare", self.path("fewer.json"), "--to", fit)["report"]["max"],
+                        1e-2)
+        rows = self.good("convert", fit, "--as", "power").stdout.splitlines()
+        self.assertEqual(rows[0], "from,to,x0,x1,x2,x3,y0,y1,y2,y3")
+        self.assertEqual(len(rows), 7)
+
     def test_parametric_fits_go_near_the_points(self):
         report = self.report("fit", points("violin.csv"), "--parametric", "--closed", "--sigma",
                              "2", "-o", self.path("v.json"))

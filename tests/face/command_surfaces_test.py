@@ -209,6 +209,69 @@ class Surfaces(Folder):
         with open(self.path("picture.svg"), encoding="utf-8") as stream:
             self.assertIn("the surface", stream.read())
 
+    def test_a_file_of_several_lines_is_read_by_every_verb(self):
+        surface, lines = self.surface(), self.path("lines.json")
+        self.good("contour", surface, "--levels", "0.04,0.09", "-o", lines)
+        radii = [0.2, 0.3]
+        reports = self.report("measure", lines)["report"]["curves"]
+        for report, radius in zip(reports, radii):
+            self.assertAlmostEqual(report["length"], 2 * math.pi * radius, places=5)
+        rows = self.good("evaluate", lines, "--count", "3").stdout.splitlines()
+        self.assertEqual(rows[0], "curve,t,x,y")
+        self.assertEqual([row[0] for row in rows[1:]], list("000111"))
+        self.assertEqual(len(self.good("sample", lines, "--count", "5").stdout.splitlines()), 11)
+        self.assertEqual(self.report("draw", lines, "-o", self.path("d.svg"))["report"]["curves"], 2)
+        self.good("measure", lines, "--draw", self.path("m.svg"))
+        one, two = self.path("one.json"), self.path("two.json")
+        self.good("convert", lines, "--only", "1", "-o", one)
+        self.assertEqual(self.report("measure", one)["report"], reports[1])
+        self.good("convert", lines, "--scale", "2", "-o", two)
+        self.assertAlmostEqual(self.report("measure", two)["report"]["curves"][1]["length"],
+                               2 * reports[1]["length"], places=9)
+        self.good("convert", lines, "-o", self.path("two.dxf"))
+        self.good("compare", lines, "--to", one)
+        job = [{"operation": "contour", "input": surface, "options": {"levels": [0.04, 0.09]},
+                "name": "lines"},
+               {"operation": "measure", "input": "lines", "report": self.path("job.r.json")}]
+        self.good("run", self.file("job.json", json.dumps(job)))
+        with open(self.path("job.r.json"), encoding="utf-8") as stream:
+            self.assertEqual(json.load(stream)["report"]["curves"], reports)
+
+    def test_a_file_of_several_lines_is_refused_where_one_is_needed(self):
+        surface, lines = self.surface(), self.path("lines.json")
+        self.good("contour", surface, "--levels", "0.04,0.09", "-o", lines)
+        self.refused("curve.several", "compare", lines, "--to", lines, says=["2 curves", "--only"])
+        self.refused("option.range", "convert", lines, "--only", "2", says=["holds 2 curves"])
+        self.refused("output.format", "convert", lines, "-o", self.path("x.gcode"))
+        self.refused("curve.outside", "evaluate", lines, "--at", "99", says=["curve 0"])
+        empty = self.file("empty.json", '{"format": "batten.contours/1", "lines": []}')
+        self.refused("curve.entry", "measure", empty)
+        broken = self.file("broken.json", '{"format": "batten.curves/1", "curves": [3]}')
+        self.refused("curve.format", "measure", broken, says=["curves[0]"])
+
+    def test_errors_of_nodes_come_from_files(self):
+        grid = [[math.sin(0.3 * i * j) for j in range(8)] for i in range(9)]
+        table = lambda rows: "\n".join(["," + ",".join(map(str, range(8)))] + [
+            ",".join(map(str, [i, *row])) for i, row in enumerate(rows)])
+        heights = self.file("z.csv", table(grid))
+        errors = self.file("s.csv", table([[0.1 * (1 + i) * (2 + j) for j in range(8)]
+                                           for i in range(9)]))
+        rows = self.file("rows.txt", "\n".join(str(0.1 * (1 + i)) for i in range(9)))
+        columns = ",".join(str(2 + j) for j in range(8))
+        knots = ("--knots", "equal", "--intervals", "2,1")
+        one = self.report("fit-surface", heights, *knots, "--sigma", errors)["report"]
+        two = self.report("fit-surface", heights, *knots, "--x-sigma", rows, "--y-sigma", columns)
+        three = self.report("fit-surface", heights, *knots, "--x-sigma", rows, "--y-sigma", columns,
+                            "--stream")
+        self.assertEqual(one["sigma_source"], "column")
+        for other in (two["report"], three["report"]):
+            self.assertEqual(other["sigma_source"], "column")
+            self.assertAlmostEqual(other["aic"], one["aic"], delta=1e-6)
+        self.refused("fit-surface.streamed", "fit-surface", heights, *knots, "--sigma", errors,
+                     "--stream")
+        self.refused("option.value", "fit-surface", heights, "--sigma", "nowhere.csv")
+        self.refused("fit.options", "fit-surface", heights, "--sigma", "1", "--x-sigma", rows)
+
     def test_a_surface_refuses_what_is_asked_of_curves(self):
         surface = self.surface()
         self.refused("surface.option", "evaluate", surface, "--roots")

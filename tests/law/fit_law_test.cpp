@@ -91,26 +91,59 @@ TEST(Fit, DoesNotDependOnTheOrderOfTheSamples) {
     }
 }
 
+/// No spline over the same knots leaves less.
+void expect_least(const FitTable& table, const Fit& result) {
+    const int degree = result.spline.degree();
+    const std::size_t p = result.report.coefficients.size();
+    for (std::size_t j = 0; j < p; ++j) {
+        std::vector<double> unit(p);
+        unit[j] = 1;
+        const SplineFunction b(result.report.knots, unit, degree);
+        double product = 0, norm = 0, rest = 0;
+        for (std::size_t i = 0; i < table.x.size(); ++i) {
+            const double w = 1 / table.sigma[i];
+            const double e = w * (table.y[i] - result.spline(table.x[i]));
+            product += e * w * b(table.x[i]);
+            norm += w * w * b(table.x[i]) * b(table.x[i]);
+            rest += e * e;
+        }
+        EXPECT_LT(std::fabs(product), 1e-11 * std::sqrt(norm * rest) + 1e-9 * norm)
+            << degree << " " << j;
+    }
+}
+
 TEST(Fit, LeavesResidualsOrthogonalToTheSplines) {
     for (int degree = 0; degree <= 9; ++degree) {
         const FitTable table = ragged(600, 4);
-        const Fit result = fit(table.view(), over({10, 25, 50, 50.5, 75}, degree));
-        const std::size_t p = result.report.coefficients.size();
-        for (std::size_t j = 0; j < p; ++j) {
-            std::vector<double> unit(p);
-            unit[j] = 1;
-            const SplineFunction b(result.report.knots, unit, degree);
-            double product = 0, norm = 0, rest = 0;
-            for (std::size_t i = 0; i < table.x.size(); ++i) {
-                const double w = 1 / table.sigma[i];
-                const double e = w * (table.y[i] - result.spline(table.x[i]));
-                product += e * w * b(table.x[i]);
-                norm += w * w * b(table.x[i]) * b(table.x[i]);
-                rest += e * e;
-            }
-            EXPECT_LT(std::fabs(product), 1e-11 * std::sqrt(norm * rest) + 1e-9 * norm)
-                << degree << " " << j;
+        expect_least(table, fit(table.view(), over({10, 25, 50, 50.5, 75}, degree)));
+    }
+}
+
+/// Nine of ten samples in the first or the last tenth.
+FitTable crowded(bool at_the_end) {
+    FitTable table = ragged(1000, 5);
+    Noise noise(6);
+    for (std::size_t i = 0; i < table.x.size(); ++i) {
+        double x = table.x[i];
+        if (i % 10 != 0) x = at_the_end ? 90 + x / 10 : x / 10;
+        table.x[i] = x;
+        table.y[i] = testing::curve_truth(x) + table.sigma[i] * noise.normal();
+    }
+    return table;
+}
+
+TEST(Fit, OfSamplesThatCrowdLeavesResidualsOrthogonalToo) {
+    for (const bool at_the_end : {false, true}) {
+        const FitTable table = crowded(at_the_end);
+        for (const int degree : {0, 1, 3}) {
+            expect_least(table, fit(table.view(), over({20, 40, 60, 80}, degree)));
+            expect_least(table, fit(table.view(), over({5, 50}, degree)));
         }
+        FitOptions automatic;
+        expect_least(table, fit(table.view(), automatic));
+        automatic.knots = KnotPlacement::equal;
+        automatic.intervals = 7;
+        expect_least(table, fit(table.view(), automatic));
     }
 }
 
@@ -252,6 +285,28 @@ TEST(FitChunks, MergeToTheFitOfTheWhole) {
             }
             EXPECT_NEAR(result.covariance.deviation(33) / whole.covariance.deviation(33), 1,
                         1e-11);
+        }
+    }
+}
+
+TEST(FitChunks, MayEachSeeAPlaceOfTheirOwn) {
+    FitTable table = ragged(500, 12);
+    std::sort(table.x.begin(), table.x.end());
+    const std::vector<double> knots{10, 30, 50, 52, 90};
+    const Fit whole = fit(table.view(), over(knots, 3));
+    for (const std::size_t size : {std::size_t{1}, std::size_t{7}, std::size_t{100}}) {
+        FitChunk chunk({whole.report.breaks.front(), whole.report.breaks.back()}, knots, 3);
+        for (std::size_t first = 0; first < 500; first += size) {
+            const std::size_t count = std::min(size, 500 - first);
+            chunk.add({std::span(table.x).subspan(first, count),
+                       std::span(table.y).subspan(first, count),
+                       std::span(table.sigma).subspan(first, count)});
+        }
+        const Fit result = chunk.solve();
+        EXPECT_EQ(result.report.samples, 500u);
+        EXPECT_NEAR(result.report.delta2 / whole.report.delta2, 1, 1e-11);
+        for (std::size_t j = 0; j < whole.report.coefficients.size(); ++j) {
+            EXPECT_NEAR(result.report.coefficients[j], whole.report.coefficients[j], 1e-9);
         }
     }
 }

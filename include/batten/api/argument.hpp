@@ -9,8 +9,8 @@
 namespace batten {
 
 /// What a tree, such as a job's entry or a value of Python's, means for an option: a truth, a
-/// number or a text as it would be typed; lists of numbers as they are; rows of numbers as points,
-/// and a `batten.curve/1` tree as a curve, where the option takes these.
+/// number or a text as it would be typed; lists of numbers, and of rows of them, as they are; rows
+/// as points and a `batten.curve/1` tree as a curve, where the option takes these.
 ///
 /// Throws `option.value` where the option takes nothing of this kind, and for rows and curves what
 /// parse_table and curve_of throw. The value itself is checked by the operation.
@@ -29,9 +29,14 @@ Input input_of(const Value& value, const std::string& name, const Operation& ope
 /// A table as an input of the operation, in the same way.
 Input input_of(Table table, const Operation& operation, const std::string& picks = {});
 
-/// What an operation made, as the input of another. Throws `job.input` where it made neither a
-/// curve nor rows, and what coordinate_columns throws.
-Input input_of(const Output& output, const std::string& name, const Operation& operation,
+/// What an operation made, as the input of another: its curves where that takes any, else its rows
+/// or its surface. Throws `job.input` where it made none of these, and what coordinate_columns
+/// throws.
+Input input_of(const Outcome& made, const std::string& name, const Operation& operation,
                const std::string& picks = {});
+
+/// The same for an option. Throws `job.input` where it made neither rows nor a curve,
+/// `curve.several` where it made more curves than one.
+Argument argument_of(const Outcome& made, const std::string& name);
 
 }  // namespace batten

@@ -18,14 +18,18 @@
 #include "batten/io/files.hpp"
 #include "batten/io/grid_file.hpp"
 #include "batten/io/table.hpp"
+#include "batten/make/fit_bands.hpp"
 #include "batten/shape/curve.hpp"
+#include "batten/shape/spline_function.hpp"
 #include "batten/shape/surface.hpp"
 
 /// Every operation as one row of one table: what the faces are made from.
 namespace batten {
 
 /// What an option takes.
-enum class FieldKind { flag, number, integer, choice, text, tolerance, list, table, shape };
+enum class FieldKind {
+    flag, number, integer, choice, text, tolerance, list, table, shape, errors
+};
 
 /// One option of an operation, as its `visit_fields` describes it.
 struct Field {
@@ -99,7 +103,9 @@ struct StoredFile {
 
 struct Input {
     std::string name;  ///< for errors and legends: the file's name, or what the caller calls it
-    std::variant<PointsInput, Curve, Source, GridFile, Surface, StoredFile> content;
+    /// Several curves: an operation on one curve is done to each of them.
+    std::variant<PointsInput, Curve, Source, GridFile, Surface, StoredFile, std::vector<Curve>>
+        content;
 };
 
 /// Rows of named columns.
@@ -108,9 +114,16 @@ struct Rows {
     Points cells;
 };
 
-/// What an operation makes: nothing but its report, a curve, rows, a picture, or a surface.
-enum class OutputKind { report, curve, rows, drawing, surface };
+/// What an operation makes: nothing but its report, a curve, rows, a picture, a surface, or curves and
+/// rows of points on them.
+enum class OutputKind { report, curve, rows, drawing, surface, curves };
 using Output = std::variant<std::monostate, Curve, Rows, Drawing, Surface>;
+
+/// A spline y(x) that was made, and how sure it is where that is known.
+struct MadeSpline {
+    SplineFunction spline;
+    std::optional<FitCovariance> covariance = {};
+};
 
 /// One more form in which an output can be written, made only when somebody wants it.
 struct OutputForm {
@@ -126,6 +139,8 @@ struct Outcome {
     std::function<Drawing()> draw;  ///< makes the picture, only when somebody wants it
     std::vector<OutputForm> forms = {};  ///< beside those that every output of its kind has
     std::function<Rows()> rows = {};     ///< what is written for a curve where rows are asked for
+    std::vector<Curve> curves = {};      ///< where it is not one that was made, or may be made
+    std::optional<MadeSpline> spline = {};  ///< what the curve is the graph of, jumps and all
 };
 
 struct Operation {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -74,6 +75,17 @@ struct AutoNumber {
 struct Coordinates {
     std::vector<double> numbers;
     bool operator==(const Coordinates&) const = default;
+};
+
+/// Errors of measurements, standard deviations: one of all, the name of a column, or one of each.
+struct Errors {
+    std::optional<double> all;
+    std::string column;
+    std::vector<double> each;
+    std::size_t width = 1;  ///< how many of `each` stand in a row
+    bool operator==(const Errors&) const = default;
+
+    bool is_given() const { return all || !column.empty() || !each.empty(); }
 };
 
 /// The tangent direction at one point: `index` from 0, absolute angle.

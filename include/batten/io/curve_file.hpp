@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "batten/base/value.hpp"
 #include "batten/io/files.hpp"
@@ -30,8 +31,22 @@ Curve curve_of(const Value& tree, const std::string& place);
 
 /// The curve in `source`: a `batten.curve/1` file, the first path of an SVG picture, or bare SVG
 /// path data. Pure. Throws what parse_json, curve_of and parse_svg_path throw; `svg.no-path`;
+/// `curve.several` where the file holds more than one;
 /// `file.empty`; `curve.format` where it is none of the three.
 Curve parse_curve(const Source& source);
+
+/// All curves of such a tree, at least one: that of a `batten.curve/1` tree, or those of a
+/// `batten.curves/1` or `batten.contours/1` tree in their order. Throws what curve_of throws.
+std::vector<Curve> curves_of(const Value& tree, const std::string& place);
+
+/// The tree of a `batten.curves/1` file. Throws what curve_value throws.
+Value curves_value(const std::vector<Curve>& curves);
+
+/// All curves in `source`. Throws what parse_curve throws, but for `curve.several`.
+std::vector<Curve> parse_curves(const Source& source);
+
+/// The one of `curves`; throws `curve.several` where they are more, with `place`.
+const Curve& one_curve(const std::vector<Curve>& curves, const std::string& place);
 
 /// The curve in a file (`-` is standard input).
 Curve read_curve(const std::string& path);

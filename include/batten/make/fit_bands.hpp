@@ -84,5 +84,7 @@ private:
 Curve with_covariance(const Curve& graph, FitCovariance covariance);
 /// What with_covariance said, or null.
 const FitCovariance* covariance_of(const Curve& curve);
+/// `known` where it is known; throws `curve.no-band` where it is null.
+const FitCovariance& require_covariance(const FitCovariance* known);
 
 }  // namespace batten

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -21,7 +22,8 @@ public:
     FitChunk(Interval domain, std::vector<double> interior_knots, int degree);
 
     /// Takes in measurements with known errors: samples.sigma, or `sigma` for all.
-    /// Throws as `fit` does, and `fit.outside` where an abscissa is not in the domain.
+    /// Any number of them, of any abscissae. Throws as `fit` does else, and `fit.outside` where an
+    /// abscissa is not in the domain.
     void add(const FitSamples& samples, double sigma = 1);
     /// Takes in what another chunk over the same knots and degree has seen; throws
     /// `fit.chunks-differ` where they are not the same.
@@ -42,5 +44,20 @@ private:
     std::vector<std::vector<double>> places_;  ///< up to degree + 3 distinct abscissae an interval
     std::size_t samples_ = 0;
 };
+
+/// Samples that come in blocks, as often as they are needed.
+struct FitStream {
+    using Take = std::function<void(const FitSamples&)>;
+    /// Hands over block after block, from the first sample on.
+    std::function<void(const Progress&, const Take&)> read;
+};
+
+/// `fit` of samples that memory does not hold: they are read three times. Knots are given, or equal
+/// with `intervals`; errors are `options.sigma` or the samples' own. The report has no `runs_p`.
+///
+/// Law:    blocks of any size give the fit of `fit` with these knots, to rounding
+/// Throws: what `fit` throws about samples and knots; `fit.streamed` for knots that need a search and
+///         errors that are not known. Other options are not looked at.
+Fit fit(const FitStream& stream, const FitOptions& options);
 
 }  // namespace batten

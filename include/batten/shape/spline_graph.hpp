@@ -46,4 +46,10 @@ bool has_jumps(const Curve& curve);
 /// The curve, or the curves between its jumps.
 std::vector<Curve> parts_between_jumps(const Curve& curve);
 
+/// The spline S whose graph `curve` is: a B-spline of the plane whose first coordinate is its
+/// parameter, to rounding. Nothing where it is none.
+///
+/// Law: spline_of_graph(graph(s)) is s, its ends clamped, bit for bit.
+std::optional<SplineFunction> spline_of_graph(const Curve& curve);
+
 }  // namespace batten

@@ -1,7 +1,9 @@
 #include "batten/api/argument.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,12 +37,35 @@ bool is_all_numbers(const ValueList& list) {
     return std::all_of(list.begin(), list.end(), [](const Value& x) { return x.is_number(); });
 }
 
+/// Rows of equally many numbers; of errors `null` where nothing was measured.
+std::optional<Points> rows_in(const Field& field, const ValueList& list) {
+    const ValueList* first = list.empty() ? nullptr : list.front().list();
+    if (!first || first->empty()) return std::nullopt;
+    Points rows(0, static_cast<int>(first->size()));
+    std::vector<double> row;
+    for (const Value& each : list) {
+        const ValueList* numbers = each.list();
+        if (!numbers || numbers->size() != first->size()) return std::nullopt;
+        row.clear();
+        for (const Value& x : *numbers) {
+            const bool is_gap = x.is_null() && field.kind == FieldKind::errors;
+            if (!is_gap && !x.is_number()) return std::nullopt;
+            row.push_back(is_gap ? std::numeric_limits<double>::quiet_NaN() : x.number());
+        }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
 Argument list_argument(const Field& field, const ValueList& list) {
     const bool takes_numbers = field.takes_file || field.kind == FieldKind::choice;
     if (takes_numbers && is_all_numbers(list)) {
         std::vector<double> numbers;
         for (const Value& x : list) numbers.push_back(x.number());
         return numbers;
+    }
+    if (field.takes_file) {
+        if (std::optional<Points> rows = rows_in(field, list)) return *std::move(rows);
     }
     if (field.kind != FieldKind::list) refuse_value(field, "a list");
     std::string text;
@@ -75,6 +100,12 @@ GridFile grid_of(const ValueList& rows, const std::string& name) {
         }
     }
     return counted_grid(std::move(z), name);
+}
+
+/// One curve, or several.
+Input curves_input(std::vector<Curve> curves, const std::string& name) {
+    if (curves.size() == 1) return {name, std::move(curves.front())};
+    return {name, std::move(curves)};
 }
 
 }  // namespace
@@ -113,15 +144,19 @@ Input input_of(Table table, const Operation& operation, const std::string& picks
 Input input_of(const Value& value, const std::string& name, const Operation& operation,
                const std::string& picks) {
     if (is_surface(value)) return {name, any_surface_of(value, name)};
-    if (value.map()) return {name, curve_of(value, name)};
+    if (value.map()) return curves_input(curves_of(value, name), name);
     if (operation.input == InputKind::grid && value.list()) {
         return {name, grid_of(*value.list(), name)};
     }
     return input_of(table_of(value, name), operation, picks);
 }
 
-Input input_of(const Output& output, const std::string& name, const Operation& operation,
+Input input_of(const Outcome& made, const std::string& name, const Operation& operation,
                const std::string& picks) {
+    const Output& output = made.output;
+    if (!made.curves.empty() && takes_curve(operation.input)) {
+        return curves_input(made.curves, name);
+    }
     if (const Curve* curve = std::get_if<Curve>(&output)) return {name, *curve};
     if (const Surface* surface = std::get_if<Surface>(&output)) return {name, *surface};
     const Rows* rows = std::get_if<Rows>(&output);
@@ -138,6 +173,13 @@ Input input_of(const Output& output, const std::string& name, const Operation& o
     table.cells = rows->cells;
     table.bad.resize(static_cast<std::size_t>(table.columns()));
     return input_of(std::move(table), operation, picks);
+}
+
+Argument argument_of(const Outcome& made, const std::string& name) {
+    if (const Curve* curve = std::get_if<Curve>(&made.output)) return *curve;
+    if (!made.curves.empty()) return one_curve(made.curves, name);
+    if (const Rows* rows = std::get_if<Rows>(&made.output)) return rows->cells;
+    throw Error("job.input", name, "no curve and no rows", "this step makes no input of others");
 }
 
 }  // namespace batten

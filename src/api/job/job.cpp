@@ -112,6 +112,7 @@ bool takes_result_of(const Operation& operation, const Operation& before) {
     switch (before.output) {
         case OutputKind::curve: return takes_curve(operation.input);
         case OutputKind::rows: return takes_rows(operation.input);
+        case OutputKind::curves: return takes_curve(operation.input) || takes_rows(operation.input);
         case OutputKind::surface: return takes_surface(operation.input);
         default: return false;
     }

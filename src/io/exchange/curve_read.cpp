@@ -180,16 +180,18 @@ Curve curve_of(const Value& tree, const std::string& place) {
                 "piecewise-cubic, b-spline, b-spline-graph, arcs or log-aesthetic is needed here");
 }
 
-Curve parse_curve(const Source& source) {
+std::vector<Curve> parse_curves(const Source& source) {
     const std::string_view text = trimmed(utf8::without_byte_order_mark(source.bytes));
     if (text.empty()) {
         throw Error("file.empty", source.name, "no curve", "the file must hold a curve");
     }
-    if (text[0] == '{') return curve_of(parse_json(source.bytes, source.name), source.name);
-    if (text[0] == '<') return parse_svg_path(first_svg_path(text, source.name), source.name);
-    if (text[0] == 'M' || text[0] == 'm') return parse_svg_path(text, source.name);
+    if (text[0] == '{') return curves_of(parse_json(source.bytes, source.name), source.name);
+    if (text[0] == '<') return {parse_svg_path(first_svg_path(text, source.name), source.name)};
+    if (text[0] == 'M' || text[0] == 'm') return {parse_svg_path(text, source.name)};
     throw wrong_format(source.name, utf8::shown(text[0]));
 }
+
+Curve parse_curve(const Source& source) { return one_curve(parse_curves(source), source.name); }
 
 Curve read_curve(const std::string& path) { return parse_curve(read_source(path)); }
 

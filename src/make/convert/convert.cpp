@@ -113,6 +113,26 @@ AnyCurve moved(AnyCurve curve, const ConvertOptions& options) {
     return curve;
 }
 
+bool changes_knots(const ConvertOptions& options) {
+    return !options.insert_knots.empty() || options.elevate > 0 || options.remove_knots;
+}
+
+/// Knots and degree as asked for; the report is told.
+Curve with_knots(const Curve& curve, const ConvertOptions& options, double tolerance,
+                 ConvertReport& report) {
+    if (!changes_knots(options)) return curve;
+    BSplineCurve spline = to_bspline(curve);
+    if (!options.insert_knots.empty()) spline = insert_knots(spline, options.insert_knots);
+    if (options.elevate > 0) spline = elevate_degree(spline, options.elevate);
+    if (options.remove_knots) {
+        const std::size_t before = spline.basis().knots().size();
+        spline = remove_knots(spline, tolerance - std::min(tolerance, report.max_error));
+        report.removed = before - spline.basis().knots().size();
+    }
+    report.max_error = std::max(report.max_error, largest_distance(curve, spline));
+    return spline;
+}
+
 }  // namespace
 
 PiecewiseCubic to_piecewise_cubic(const Curve& curve, double tolerance) {
@@ -172,6 +192,8 @@ Conversion convert(const Curve& original, const ConvertOptions& options) {
         report.max_error = polyline_error(curve, breaks);
         curve = polyline(curve, breaks);
     }
+    curve = with_knots(curve, options, tolerance, report);
+    if (options.as == Form::power) power_form(curve);  // throws where there is none
     report.pieces = curve.pieces();
     // met: max_error <= tolerance
     report.status = report.max_error <= tolerance ? Status::met : Status::not_met;

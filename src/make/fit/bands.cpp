@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "batten/base/error.hpp"
 #include "make/fit/covariance.hpp"
 
 /// Errors of values, integrals, crossings and extrema.
@@ -69,6 +70,13 @@ Curve with_covariance(const Curve& graph, FitCovariance covariance) {
 const FitCovariance* covariance_of(const Curve& curve) {
     const Companion* companion = curve.companion<Companion>();
     return companion ? &companion->covariance : nullptr;
+}
+
+const FitCovariance& require_covariance(const FitCovariance* known) {
+    if (known) return *known;
+    throw Error("curve.no-band", "band", "asked for",
+                "the curve does not say how sure it is: take that of a fit y(x), or its file, nothing "
+                "made of it");
 }
 
 double FitCovariance::scale() const { return model_->width.scale; }

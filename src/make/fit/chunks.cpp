@@ -41,7 +41,7 @@ void FitChunk::add(const FitSamples& given, double sigma) {
     FitOptions options;
     options.sigma = sigma;
     const Interval domain{knots_.front(), knots_.back()};
-    const Samples samples = prepared(given, options);
+    const Samples samples = prepared_part(given, options, domain);
     if (samples.size() == 0) return;
     for (const double x : {samples.range.lo, samples.range.hi}) {
         if (domain.contains(x)) continue;

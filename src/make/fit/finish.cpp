@@ -32,7 +32,7 @@ void fill_criteria(FitReport& report, const FixedFit& fixed, const Misfit& misfi
     static_cast<FitCriteria&>(report) = fit_criteria(std::max(misfit.delta2, misfit.least),
                                                      misfit.samples, parameters, misfit.knowledge);
     report.parameters = report.parameters_charged = parameters;
-    report.rank = std::min(misfit.sides * fixed.rank, parameters);
+    report.rank = std::min(misfit.directions * fixed.rank, parameters);
     report.undetermined = fixed.undetermined;
     report.samples = misfit.samples;
     report.delta2 = misfit.delta2;

@@ -49,13 +49,6 @@ KnotChoice from_path(const Growth& growth, Path path) {
     return choice;
 }
 
-/// The knots given, without the ends of the range.
-std::vector<double> inner_knots(std::span<const double> values, Interval range) {
-    while (!values.empty() && values.front() == range.lo) values = values.subspan(1);
-    while (!values.empty() && values.back() == range.hi) values = values.first(values.size() - 1);
-    return {values.begin(), values.end()};
-}
-
 KnotChoice given_knots(const Samples& samples, const FitOptions& options) {
     const int order = options.degree + 1;
     const std::vector<double> inner = inner_knots(options.knots_values, samples.range);
@@ -155,6 +148,12 @@ KnotChoice freed_knots(const Samples& samples, const LocalBasis& basis,
 }
 
 }  // namespace
+
+std::vector<double> inner_knots(std::span<const double> values, Interval range) {
+    while (!values.empty() && values.front() == range.lo) values = values.subspan(1);
+    while (!values.empty() && values.back() == range.hi) values = values.first(values.size() - 1);
+    return {values.begin(), values.end()};
+}
 
 void require_inner_knots(std::span<const double> values, Interval range, int degree) {
     for (std::size_t i = 0; i < values.size(); ++i) {

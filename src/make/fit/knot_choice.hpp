@@ -34,6 +34,9 @@ inline KnotPlacement placement_of(const FitOptions& options) {
 /// met half-way through.
 void require_options(const FitOptions& options);
 
+/// The knots given, without the ends of the range.
+std::vector<double> inner_knots(std::span<const double> values, Interval range);
+
 /// Interior knots as given: inside `range`, rising, repeated degree + 1 times at most.
 /// Throws `fit.knots`.
 void require_inner_knots(std::span<const double> values, Interval range, int degree);

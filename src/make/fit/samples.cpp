@@ -193,7 +193,14 @@ void estimate_sigma(Samples& samples, double noise, double largest) {
     samples.least_delta2 = static_cast<double>(samples.values()) * lost * lost;
 }
 
-Samples prepared(const FitSamples& given, const FitOptions& options) {
+namespace {
+
+/// What the samples must have.
+enum class Needed { range, nothing };
+
+/// `domain`: what derivatives are taken over, where the samples do not say it themselves.
+Samples prepared_as(Needed needed, const FitSamples& given, const FitOptions& options,
+                    std::optional<Interval> domain = {}) {
     if (given.y.size() != given.x.size() ||
         (!given.sigma.empty() && given.sigma.size() != given.x.size())) {
         throw Error("fit.lengths", "samples",
@@ -206,7 +213,8 @@ Samples prepared(const FitSamples& given, const FitOptions& options) {
     samples.x = given.x;
     samples.sides = {given.y};
     choose_sigma(samples, given, look, options);
-    if (given.x.size() < 2) {
+    if (needed == Needed::nothing && given.x.empty()) return samples;
+    if (needed == Needed::range && given.x.size() < 2) {
         throw Error("fit.too-few", "samples", std::to_string(given.x.size()),
                     "there must be at least two");
     }
@@ -217,16 +225,31 @@ Samples prepared(const FitSamples& given, const FitOptions& options) {
     } else {
         samples.range = {given.x.front(), given.x.back()};
     }
-    if (!(samples.range.lo < samples.range.hi)) {
+    if (needed == Needed::range && !(samples.range.lo < samples.range.hi)) {
         throw Error("fit.x-equal", "x", format_number(samples.range.lo),
                     "the abscissae must not all be equal");
     }
-    if (samples.size() > 0) require_units(samples, look.largest, options.degree);
+    if (samples.size() > 0) {
+        const Interval own = samples.range;
+        samples.range = domain.value_or(own);
+        require_units(samples, look.largest, options.degree);
+        samples.range = own;
+    }
     if (!samples.sigma_known) {
         estimate_sigma(samples, noise_from_differences(samples.x, samples.sides[0]), look.largest);
     }
     samples.work = Work(options.progress);
     return samples;
+}
+
+}  // namespace
+
+Samples prepared(const FitSamples& given, const FitOptions& options) {
+    return prepared_as(Needed::range, given, options);
+}
+
+Samples prepared_part(const FitSamples& given, const FitOptions& options, Interval domain) {
+    return prepared_as(Needed::nothing, given, options, domain);
 }
 
 std::optional<Samples> believed(const FitSamples& given, const FitOptions& options) {

@@ -59,6 +59,10 @@ struct Samples {
 /// require_units throws.
 Samples prepared(const FitSamples& given, const FitOptions& options);
 
+/// The same of some of the samples of a fit over `domain`: there may be one, or none, or all at one
+/// abscissa. Errors are known.
+Samples prepared_part(const FitSamples& given, const FitOptions& options, Interval domain);
+
 /// The samples as they are, believed to be in order: for a caller who looks while reading them (see
 /// FirstLook). Nothing where that is out of the question, or where the range or a sigma to be
 /// taken for all is amiss; then prepared() tells.
