@@ -47,8 +47,8 @@ TEST(BadCurveFile, OfAnotherFormatOrKindIsRefused) {
               "curve.format: c: a list of 2" + rule);
     EXPECT_EQ(curve(" \n"), "file.empty: c: no curve: the file must hold a curve");
     EXPECT_EQ(curve("{\"format\": \"batten.curve/1\", \"kind\": \"circle\"}"),
-              "curve.kind: c, entry kind: circle: piecewise-cubic, b-spline, arcs or log-aesthetic is "
-              "needed here");
+              "curve.kind: c, entry kind: circle: piecewise-cubic, b-spline, b-spline-graph, arcs or "
+              "log-aesthetic is needed here");
     EXPECT_EQ(curve("{\"format\": \"batten.curve/1\"}").substr(0, 31),
               "curve.kind: c, entry kind: miss");
 }
