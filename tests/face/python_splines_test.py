@@ -53,6 +53,7 @@ class Splines(Refusing):
         steps = batten.fit({"x": self.x, "y": y}, degree=0, sigma=0.1, knots=[2.95])
         numpy.testing.assert_allclose(steps.curve([1, 5]), [[1, 0], [5, 1]], rtol=0, atol=1e-14)
         self.assertEqual(len(steps.curves), 1)
+        self.assertEqual(steps.curve._repr_svg_().count("M"), 2)
         numpy.testing.assert_allclose(steps.spline([1, 5]), [0, 1], rtol=0, atol=1e-14)
         closed = batten.fit({"x": self.x, "y": numpy.cos(self.x * numpy.pi / 3)}, closed=True,
                             sigma=0.01, knots="equal", intervals=6)

@@ -17,7 +17,8 @@ namespace batten {
 /// where a control point is beyond a double.
 std::string svg_path(const Curve& curve);
 
-/// An SVG picture of nothing but the curve, drawn with y up; its path data is svg_path(curve).
+/// An SVG picture of nothing but the curve, drawn with y up; its path data is svg_path(curve), or
+/// those of the parts between jumps.
 std::string svg_picture(const Curve& curve);
 
 /// The curve that SVG path data describes (M L H V C S Q T A Z, in both cases) [SVG2, chapter 9].

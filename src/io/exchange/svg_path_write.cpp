@@ -8,6 +8,7 @@
 #include "batten/io/svg_arcs.hpp"
 #include "batten/io/svg_path.hpp"
 #include "batten/shape/arc_chain.hpp"
+#include "batten/shape/spline_graph.hpp"
 #include "batten/shape/transform.hpp"
 #include "io/exchange/svg_pieces.hpp"
 
@@ -147,8 +148,14 @@ std::string svg_picture(const Curve& curve) {
     if (const ArcChain* chain = curve.shape<ArcChain>()) {
         return picture_of(svg_path(*chain), box_of(*chain));
     }
-    const std::vector<Piece> pieces = beziers(curve);
-    return picture_of(path_text(pieces, curve.is_closed()), box_of(pieces));
+    std::string path;
+    std::vector<Piece> all;
+    for (const Curve& part : parts_between_jumps(curve)) {
+        const std::vector<Piece> pieces = beziers(part);
+        path += (path.empty() ? "" : " ") + path_text(pieces, part.is_closed());
+        all.insert(all.end(), pieces.begin(), pieces.end());
+    }
+    return picture_of(path, box_of(all));
 }
 
 }  // namespace batten
