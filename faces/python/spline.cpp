@@ -18,15 +18,10 @@ std::vector<double> numbers_of(const Array& array) {
     return {array.data(), array.data() + array.size()};
 }
 
-/// A read-only view of what the spline holds.
+/// A copy of what the spline holds: SciPy's `BSpline` takes only what may be written to.
 template <class Part>
-auto view(Part part) {
-    return [part](py::object self) {
-        const std::span<const double> numbers = (self.cast<const HeldSpline&>().spline.*part)();
-        py::array_t<double> array(static_cast<py::ssize_t>(numbers.size()), numbers.data(), self);
-        array.attr("setflags")(py::arg("write") = false);
-        return array;
-    };
+auto copy(Part part) {
+    return [part](const HeldSpline& held) { return array_of((held.spline.*part)()); };
 }
 
 /// What a part of the spline says.
@@ -99,10 +94,10 @@ void bind_spline(py::module_& module) {
         .def("band", &spline_band, py::arg("x"), py::arg("nu") = 0, py::arg("percent") = 95.0,
              "Lower and upper edge, at x (any shape), of the band that holds y (or a derivative of\n"
              "it) with this probability at each x by itself. Of a fit's own spline only.")
-        .def_property_readonly("t", view(&SplineFunction::knots), "knots")
-        .def_property_readonly("c", view(&SplineFunction::coefficients), "coefficients")
+        .def_property_readonly("t", copy(&SplineFunction::knots), "knots")
+        .def_property_readonly("c", copy(&SplineFunction::coefficients), "coefficients")
         .def_property_readonly("k", of(&SplineFunction::degree), "degree")
-        .def_property_readonly("breaks", view(&SplineFunction::breaks), "distinct knots")
+        .def_property_readonly("breaks", copy(&SplineFunction::breaks), "distinct knots")
         .def_property_readonly("power", &power_of,
                                "coefficients of (x - breaks[i])**(k - j) at [j, i]: SciPy's PPoly.c")
         .def("derivative", made_of(&batten::derivative), "dS/dx, of one degree less")

@@ -20,6 +20,13 @@ std::string name_of_column(const Table& table, int column, const char* otherwise
     return table.names.empty() ? otherwise : table.names[static_cast<std::size_t>(column)];
 }
 
+/// Rows x,y,sigma without names, and no word about columns or errors.
+bool is_plain_triple(const Table& table, const FitTableOptions& o) {
+    const bool is_asked = !o.x.empty() || !o.y.empty() || o.sigma.is_given() ||
+                          !o.fit.sigma_model.empty();
+    return table.names.empty() && table.columns() == 3 && !is_asked;
+}
+
 }  // namespace
 
 bool has_column(const Table& table, std::string_view name) {
@@ -49,7 +56,8 @@ FitData data_of(const PointsInput& input, FitTableOptions& options) {
     const Table& table = input.table;
     const int x = column_of(table, options.x, {"x"}, 1);
     const int y = column_of(table, options.y, {"y", "f"}, x == 1 && options.y.empty() ? 1 : 2);
-    return {column_in(input, x), column_in(input, y), sigma_of(input, options),
+    return {column_in(input, x), column_in(input, y),
+            is_plain_triple(table, options) ? errors_in(input, 2) : sigma_of(input, options),
             name_of_column(table, x, "x"), name_of_column(table, y, "y")};
 }
 

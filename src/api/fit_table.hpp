@@ -30,7 +30,7 @@ void visit_fields(Options& o, Visit&& visit) {
     visit("y", o.y, anything, "column of the ordinates [y or f, else the second]");
     visit("sigma", o.sigma, anything,
           "the errors (standard deviations): a column, one of all, or a file of one a row [the column "
-          "sigma, if there]");
+          "sigma, or the third of three without names]");
     visit("parametric", o.parametric, anything,
           "a curve near points in the order they are passed, instead of y(x)");
     visit("stream", o.stream, anything,

@@ -74,6 +74,15 @@ class Fits(Folder):
         self.assertEqual(report["report"]["sigma_source"], "number")
         self.assertLess(report["report"]["delta2"], 1e-20)
 
+    def test_the_third_of_three_columns_without_names_holds_the_errors(self):
+        rows = "".join(f"{i},{i * i % 7},{1 + i % 3}\n" for i in range(12))
+        named, plain = self.file("n.csv", "x,y,sigma\n" + rows), self.file("p.csv", rows)
+        reports = [self.report("fit", table)["report"] for table in (named, plain)]
+        self.assertEqual(reports[1]["sigma_source"], "column")
+        self.assertEqual(reports[0]["coefficients"], reports[1]["coefficients"])
+        asked = self.report("fit", plain, "--sigma", "2")["report"]
+        self.assertEqual(asked["sigma_source"], "number")
+
     def test_errors_may_stand_in_a_file_of_their_own(self):
         table = self.file("d.csv", "x,y\n" + "".join(f"{i},{i * i % 7}\n" for i in range(12)))
         errors = self.file("s.txt", "".join(f"{1 + i % 3}\n" for i in range(12)))

@@ -20,6 +20,7 @@ class Splines(Refusing):
     def test_a_fit_is_a_spline_with_knots_coefficients_and_degree(self):
         s = self.spline
         self.assertEqual((len(s.t), len(s.c), s.k), (15, 11, 3))
+        self.assertTrue(s.t.flags.writeable)  # SciPy takes no other
         self.assertTrue(numpy.abs(s(self.x) - numpy.sin(self.x)).max() < 1e-3)
         self.assertTrue(numpy.abs(s(self.x, 1) - numpy.cos(self.x)).max() < 1e-2)
         self.assertTrue(numpy.allclose(s(self.x), self.curve(self.x)[:, 1], rtol=0, atol=1e-14))
