@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "fit_samples.hpp"
+#include "make/fit/interval_rows.hpp"
 #include "make/fit/knot_system.hpp"
 #include "make/fit/whitney.hpp"
 

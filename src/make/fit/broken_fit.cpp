@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "make/fit/interval_rows.hpp"
+
 namespace batten::fitting {
 namespace {
 

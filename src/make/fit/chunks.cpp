@@ -4,6 +4,7 @@
 #include "batten/base/text.hpp"
 #include "batten/make/fit_chunks.hpp"
 #include "make/fit/finish.hpp"
+#include "make/fit/interval_rows.hpp"
 #include "make/fit/knot_choice.hpp"
 #include "make/fit/whitney.hpp"
 

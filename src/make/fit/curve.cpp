@@ -62,7 +62,7 @@ Samples in_order(Samples samples) {
     return reweighted(samples, std::vector<double>(samples.size(), 1.0));
 }
 
-FitReport report_of(CurveSearch& search, const FitOptions& options) {
+FitReport report_of(CurveSearch& search) {
     const Samples used = in_order(search.used());
     const std::vector<SplineFunction> curve = search.curve();
     FitReport report;
@@ -70,8 +70,7 @@ FitReport report_of(CurveSearch& search, const FitOptions& options) {
     fill_criteria(report, search.result().fixed,
                   {residuals.delta2, used.values(),
                    used.sigma_known ? SigmaKnowledge::known : SigmaKnowledge::unknown,
-                   static_cast<int>(used.directions()), used.least_delta2,
-                   used.are_feet && options.fix_ends ? 2 : 0});
+                   static_cast<int>(used.directions()), used.least_delta2});
     report.parameters_charged += search.choice().moved;
     fill_tally(report, residuals);
     fill_spline(report, curve[0]);
@@ -88,11 +87,13 @@ FitReport report_of(CurveSearch& search, const FitOptions& options) {
     report.path = std::move(search.choice().path);
     report.notes = std::move(search.choice().notes);
     note_what_sigma_hides(report);
-    for (const FitStep& step : report.path) {
-        const bool is_same = std::fabs(step.bic - report.bic) <= 1e-9 * std::fabs(report.bic);
-        if (step.intervals != report.intervals || is_same) continue;
+    const auto before = std::find_if(
+        report.path.rbegin(), report.path.rend(),
+        [&](const FitStep& step) { return step.intervals == report.intervals; });
+    if (before != report.path.rend() &&
+        std::fabs(before->bic - report.bic) > 1e-9 * std::fabs(report.bic)) {
         report.notes.push_back("path: before the last correction of the parameters, bic " +
-                               format_number(step.bic) + " here");
+                               brief(before->bic) + " here");
     }
     if (report.status == Status::met && !search.choice().is_met) report.status = Status::not_met;
     if (!search.keeps_ends() && report.undetermined.empty()) {
@@ -209,7 +210,7 @@ CurveFit fit_curve(PointsView points, std::span<const double> sigma, const FitOp
     CurveSearch search(part.points, part.sigma, options);
     search.run();
     const std::vector<SplineFunction> curve = search.curve();
-    FitReport report = report_of(search, options);
+    FitReport report = report_of(search);
     for (std::size_t& row : report.rejected) row = part.rows[row];
     report.rejected.insert(report.rejected.end(), isolated.begin(), isolated.end());
     std::sort(report.rejected.begin(), report.rejected.end());

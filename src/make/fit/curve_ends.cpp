@@ -7,6 +7,7 @@
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
+#include "make/fit/normals.hpp"
 
 namespace batten::fitting {
 namespace {
@@ -19,23 +20,6 @@ struct Condition {
     double value = 0;
 };
 
-/// Unit vectors that span what is perpendicular to a unit vector.
-std::vector<std::vector<double>> normals_of(const std::vector<double>& d) {
-    if (d.size() == 2) return {{-d[1], d[0]}};
-    const std::size_t smallest = static_cast<std::size_t>(
-        std::min_element(d.begin(), d.end(),
-                         [](double a, double b) { return std::fabs(a) < std::fabs(b); }) -
-        d.begin());
-    std::vector<double> first(3, 0.0);
-    first[smallest] = 1;
-    for (std::size_t i = 0; i < 3; ++i) first[i] -= d[smallest] * d[i];
-    const double length = std::hypot(first[0], first[1], first[2]);
-    for (double& x : first) x /= length;
-    return {first,
-            {d[1] * first[2] - d[2] * first[1], d[2] * first[0] - d[0] * first[2],
-             d[0] * first[1] - d[1] * first[0]}};
-}
-
 void add_point(const std::vector<double>& point, int at, std::vector<Condition>& to) {
     for (std::size_t s = 0; s < point.size(); ++s) {
         Condition c{std::vector<double>(point.size(), 0.0), at, -1, point[s]};
@@ -47,8 +31,13 @@ void add_point(const std::vector<double>& point, int at, std::vector<Condition>&
 void add_tangent(const std::vector<double>& tangent, int at, int less,
                  std::vector<Condition>& to) {
     if (tangent.empty()) return;
-    for (std::vector<double>& normal : normals_of(tangent)) {
-        to.push_back({std::move(normal), at, less, 0});
+    Vector along{};
+    std::copy(tangent.begin(), tangent.end(), along.begin());
+    const std::size_t dim = tangent.size();
+    const std::array<Vector, 2> normals = normals_of(along, static_cast<int>(dim));
+    for (std::size_t n = 0; n + 1 < dim; ++n) {
+        to.push_back({{normals[n].begin(), normals[n].begin() + static_cast<std::ptrdiff_t>(dim)},
+                      at, less, 0});
     }
 }
 
@@ -61,7 +50,7 @@ std::vector<Condition> conditions_of(const CurveEnds& ends, int functions) {
     return all;
 }
 
-double inner(const std::vector<double>& a, const std::vector<double>& b) {
+double product(const std::vector<double>& a, const std::vector<double>& b) {
     return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
@@ -81,21 +70,21 @@ public:
     /// no room.
     bool keep(const Condition& condition) {
         std::vector<double> q = form(condition);
-        const double before = inner(q, q);
+        const double before = product(q, q);
         double value = condition.value;
         // Twice is enough [GolubVanLoan2013, 5.2.8].
         for (int pass = 0; pass < 2; ++pass) {
             for (const Known& k : known_) {
-                const double part = inner(k.q, q);
+                const double part = product(k.q, q);
                 for (std::size_t i = 0; i < q.size(); ++i) q[i] -= part * k.q[i];
                 value -= part * k.value;
             }
         }
-        const double norm = std::sqrt(inner(q, q));
+        const double norm = std::sqrt(product(q, q));
         if (!(norm > 1e-10 * std::sqrt(before))) return false;
         for (double& x : q) x /= norm;
         value /= norm;
-        const double step = value - inner(q, z_);
+        const double step = value - product(q, z_);
         for (std::size_t i = 0; i < q.size(); ++i) z_[i] += step * q[i];
         known_.push_back({std::move(q), value});
         return true;
@@ -176,13 +165,15 @@ CurveEnds curve_ends(PointsView points, const FitOptions& options) {
     return ends;
 }
 
-bool hold_ends(FixedFit& fixed, const CurveEnds& ends) {
+bool hold_ends(FixedFit& fixed, const CurveEnds& ends, int directions) {
     const std::vector<Condition> conditions = conditions_of(ends, fixed.functions);
     if (conditions.empty() || !fixed.undetermined.empty()) return true;
     Stacked stacked(fixed.system.qr());
-    fixed.fixed_count = 0;
-    for (const Condition& c : conditions) fixed.fixed_count += stacked.keep(c) ? 1 : 0;
+    int kept = 0;
+    for (const Condition& c : conditions) kept += stacked.keep(c) ? 1 : 0;
     const std::size_t sides = static_cast<std::size_t>(fixed.system.qr().shape().sides);
+    const int points = (ends.start_point.empty() ? 0 : 1) + (ends.end_point.empty() ? 0 : 1);
+    fixed.fixed_count = kept - points * (static_cast<int>(sides) - directions);
     fixed.limited.clear();
     for (std::size_t s = 0; s < sides; ++s) {
         fixed.limited.push_back(stacked.coefficients(s));
@@ -190,7 +181,7 @@ bool hold_ends(FixedFit& fixed, const CurveEnds& ends) {
         if (!ends.start_point.empty()) fixed.limited[s].front() = ends.start_point[s];
         if (!ends.end_point.empty()) fixed.limited[s].back() = ends.end_point[s];
     }
-    return fixed.fixed_count == static_cast<int>(conditions.size());
+    return kept == static_cast<int>(conditions.size());
 }
 
 bool goes_along(std::span<const SplineFunction> curve, const CurveEnds& ends) {

@@ -20,9 +20,10 @@ CurveEnds curve_ends(PointsView points, const FitOptions& options);
 
 /// Moves the coefficients to those of the least delta2 that keep the ends; false where there are too
 /// few to keep all. Nothing is done where the data leave coefficients open. Open splines.
+/// `directions`: in which a coefficient counts as a parameter (see Samples), and so does what holds it.
 ///
 /// Cost: O(coefficients) for each pair of conditions.
-bool hold_ends(FixedFit& fixed, const CurveEnds& ends);
+bool hold_ends(FixedFit& fixed, const CurveEnds& ends, int directions);
 
 /// Whether the curve leaves and arrives along its tangents, and not against them.
 bool goes_along(std::span<const SplineFunction> curve, const CurveEnds& ends);

@@ -16,15 +16,6 @@ bool has_dropped(const std::vector<double>& factors) {
     return std::any_of(factors.begin(), factors.end(), [](double f) { return std::isinf(f); });
 }
 
-double delta2_of(const Samples& samples, std::span<const double> distances) {
-    double sum = 0;
-    for (std::size_t i = 0; i < distances.size(); ++i) {
-        const double e = distances[i] / samples.sigma_at(i);
-        sum += e * e;
-    }
-    return sum;
-}
-
 }  // namespace
 
 CurveSearch::CurveSearch(PointsView points, std::span<const double> sigma,
@@ -112,7 +103,9 @@ KnotChoice CurveSearch::knots_within_tolerance() const {
     const Samples samples = problem_.samples();
     require_enough(samples.size(), static_cast<std::size_t>(basis_.order()));
     return knots_within(samples, basis_, options_,
-                        [this](FixedFit& fixed) { return hold_ends(fixed, ends_); });
+                        [&](FixedFit& fixed) {
+                            return hold_ends(fixed, ends_, static_cast<int>(samples.directions()));
+                        });
 }
 
 std::vector<SplineFunction> CurveSearch::curve() const {
@@ -131,7 +124,7 @@ WeightedFit CurveSearch::solved(const Samples& samples, const std::vector<double
                         ? solve_fixed(samples, knots, basis_, ends)
                         : solve_fixed(reweighted(samples, factors), knots, basis_, ends),
                     std::move(factors)};
-    fit.keeps_ends = hold_ends(fit.fixed, ends_);
+    fit.keeps_ends = hold_ends(fit.fixed, ends_, static_cast<int>(samples.directions()));
     return fit;
 }
 

@@ -12,7 +12,8 @@ namespace {
 
 constexpr int band_points = 201;
 
-/// Four digits: enough for a note.
+}  // namespace
+
 std::string brief(double x) {
     if (x == 0 || !std::isfinite(x)) return format_number(x);
     const int decimals = 3 - static_cast<int>(std::floor(std::log10(std::fabs(x))));
@@ -21,14 +22,12 @@ std::string brief(double x) {
     return format_number(decimals > 0 ? std::round(x * unit) / unit : std::round(x / unit) * unit);
 }
 
-}  // namespace
-
 void fill_criteria(FitReport& report, const FixedFit& fixed, const Misfit& misfit) {
     if (!std::isfinite(misfit.delta2)) {
         throw Error("number.overflow", "delta2", format_number(misfit.delta2),
                     "is beyond the range of a double");
     }
-    const int parameters = misfit.directions * fixed.functions - fixed.fixed_count + misfit.along;
+    const int parameters = misfit.directions * fixed.functions - fixed.fixed_count;
     static_cast<FitCriteria&>(report) = fit_criteria(std::max(misfit.delta2, misfit.least),
                                                      misfit.samples, parameters, misfit.knowledge);
     report.parameters = report.parameters_charged = parameters;

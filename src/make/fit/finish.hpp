@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "batten/make/fit.hpp"
 #include "make/fit/covariance.hpp"
 #include "make/fit/fixed_fit.hpp"
@@ -15,7 +17,6 @@ struct Misfit {
     SigmaKnowledge knowledge = SigmaKnowledge::known;
     int directions = 1;  ///< in which a coefficient counts as a parameter, see Samples
     double least = 0;  ///< less than this is rounding, and no better
-    int along = 0;     ///< conditions held along the curve, where nothing counts
 };
 void fill_criteria(FitReport& report, const FixedFit& fixed, const Misfit& misfit);
 
@@ -24,6 +25,9 @@ void fill_tally(FitReport& report, const ResidualTally& tally);
 
 /// Knots, breaks and coefficients.
 void fill_spline(FitReport& report, const SplineFunction& spline);
+
+/// Four digits: enough for a note.
+std::string brief(double x);
 
 /// A note where samples leave coefficients open.
 void note_open_coefficients(FitReport& report);

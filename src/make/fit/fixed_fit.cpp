@@ -6,6 +6,7 @@
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
 #include "make/fit/first_look.hpp"
+#include "make/fit/interval_rows.hpp"
 
 namespace batten::fitting {
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "make/fit/interval_rows.hpp"
 #include "num/cox_de_boor.hpp"
 
 namespace batten::fitting {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "make/fit/interval_rows.hpp"
 #include "make/fit/moments.hpp"
 #include "num/cox_de_boor.hpp"
 

@@ -26,7 +26,6 @@ BATTEN_INLINE void multiply(const double* b, const double* triangle, int k, int 
 
 }  // namespace
 
-
 std::vector<double> open_knots(Interval domain, std::span<const double> inside, int order) {
     std::vector<double> knots(static_cast<std::size_t>(order), domain.lo);
     knots.insert(knots.end(), inside.begin(), inside.end());

@@ -26,7 +26,6 @@ BATTEN_INLINE void transform(const double* matrix, const double* values, int ord
 
 }  // namespace
 
-
 LocalBasis::LocalBasis(int order)
     : order_(order),
       nodes_(order),

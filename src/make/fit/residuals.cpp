@@ -24,4 +24,13 @@ std::vector<double> residuals_of(const Samples& samples, std::span<const SplineF
     return e;
 }
 
+double delta2_of(const Samples& samples, std::span<const double> residuals) {
+    double sum = 0;
+    for (std::size_t i = 0; i < residuals.size(); ++i) {
+        const double e = residuals[i] / samples.sigma_at(i);
+        sum += e * e;
+    }
+    return sum;
+}
+
 }  // namespace batten::fitting

@@ -16,4 +16,7 @@ std::vector<SplineFunction> splines_of(const FixedFit& fixed, std::size_t sides)
 /// curve's at the same parameter.
 std::vector<double> residuals_of(const Samples& samples, std::span<const SplineFunction> splines);
 
+/// The weighted sum of their squares.
+double delta2_of(const Samples& samples, std::span<const double> residuals);
+
 }  // namespace batten::fitting

@@ -30,7 +30,7 @@ struct Samples {
     std::span<const double> sigma;               ///< empty where all are `common_sigma`
     double common_sigma = 1;
     bool sigma_known = false;
-    bool are_feet = false;
+    bool are_feet = false;           ///< x: where a curve is nearest to its points
     bool has_weightless = false;                 ///< among the samples as they were given
     SigmaSource source = SigmaSource::estimated;
     double least_delta2 = 0;         ///< what rounding leaves; 0 where sigma is known
@@ -77,12 +77,6 @@ void estimate_sigma(Samples& samples, double noise, double largest);
 
 /// The same samples with other weights: sigma x `factor`, inf dropping the sample.
 Samples reweighted(const Samples& samples, std::span<const double> factor);
-
-/// The rows with lo <= x < hi, or <= hi for the last interval of a spline.
-enum class RightEnd { open, closed };
-Rows rows_in(const Samples& samples, Rows within, Interval span, RightEnd end);
-/// The first of the rows, all of them from span.lo on, whose x is not below span.hi.
-std::size_t end_of_run(const Samples& samples, Rows within, Interval span);
 
 /// Noise level from second differences of neighbours, as a root mean square.
 /// Source: [GasserSrokaJennenSteinmetz1986, eq. 3].

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "make/fit/growth.hpp"
+#include "make/fit/interval_rows.hpp"
 
 namespace batten::fitting {
 namespace {

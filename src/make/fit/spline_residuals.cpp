@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "make/fit/interval_rows.hpp"
 #include "num/lanes.hpp"
 
 namespace batten::fitting {

@@ -5,6 +5,7 @@
 
 #include "make/fit/fixed_fit.hpp"
 #include "make/fit/free_choice.hpp"
+#include "make/fit/interval_rows.hpp"
 #include "make/fit/knot_descent.hpp"
 #include "make/fit/residuals.hpp"
 
@@ -38,13 +39,9 @@ public:
         splines_ = splines_of(fixed, samples_.sides.size());
         parameters_ = fixed.functions * static_cast<int>(samples_.directions());
         residuals_ = residuals_of(samples_, splines_);
-        delta2_ = 0;
+        delta2_ = delta2_of(samples_, residuals_);
         largest_ = 0;
-        for (std::size_t i = 0; i < residuals_.size(); ++i) {
-            const double e = residuals_[i] / samples_.sigma_at(i);
-            delta2_ += e * e;
-            largest_ = std::max(largest_, std::fabs(residuals_[i]));
-        }
+        for (const double e : residuals_) largest_ = std::max(largest_, std::fabs(e));
         return true;
     }
     bool is_within() const { return is_kept_ && largest_ <= tolerance_; }

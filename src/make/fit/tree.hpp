@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "make/fit/interval_rows.hpp"
 #include "make/fit/triangle.hpp"
 
 /// Triangles of the halves, quarters, ... of an interval: any knot vector after one pass.
