@@ -27,6 +27,9 @@ public:
 
     /// Copies the bytes from `offset` on into `out`; how many there were. Throws `file.unreadable`.
     std::size_t read(std::uint64_t offset, std::span<char> out);
+    /// The first bytes under the same name, by which forms are told apart. Throws `file.empty` with
+    /// `rule` where there are none, and what read() throws.
+    Source head(const char* rule);
 
 private:
     Source source_;                        ///< without bytes where there is a file

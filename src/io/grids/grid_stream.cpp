@@ -24,13 +24,7 @@ Error missing_node(const std::string& place) {
 namespace {
 
 std::unique_ptr<grids::StoredRows> rows_in(StoredBytes bytes) {
-    constexpr std::size_t first_bytes = 512;
-    Source head{bytes.name(), std::string(first_bytes, '\0')};
-    head.bytes.resize(bytes.read(0, head.bytes));
-    if (head.bytes.empty()) {
-        throw Error("file.empty", bytes.name(), "no bytes", "the file must hold a grid");
-    }
-    switch (grid_format(head)) {
+    switch (grid_format(bytes.head("the file must hold a grid"))) {
         case GridFormat::npy: return grids::npy_rows(std::move(bytes));
         case GridFormat::text: return grids::text_rows(std::move(bytes));
         default: throw grids::not_streamed(bytes.name(), "a picture or a raster");

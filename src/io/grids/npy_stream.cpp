@@ -8,9 +8,6 @@
 namespace batten::grids {
 namespace {
 
-/// As much of a header as version 1 can declare.
-constexpr std::size_t most_header = (std::size_t{1} << 16) + 12;
-
 /// What is kept of an array in Fortran order, of whose rows every number is read by itself.
 constexpr std::size_t band_bytes = std::size_t{1} << 26;
 constexpr std::size_t columns_at_once = 8;
@@ -18,10 +15,7 @@ constexpr std::size_t columns_at_once = 8;
 class NpyRows : public StoredRows {
 public:
     explicit NpyRows(StoredBytes stored) : StoredRows(std::move(stored)) {
-        std::string head(most_header, '\0');
-        head.resize(bytes.read(0, head));
-        header_ = tables::read_npy_header(head, bytes.name());
-        tables::require_npy_grid(header_, bytes.size() - header_.end, bytes.name());
+        header_ = tables::stored_npy_grid(bytes);
         for (std::size_t i = 0; i < header_.shape[0]; ++i) x.push_back(static_cast<double>(i));
         for (std::size_t j = 0; j < header_.shape[1]; ++j) y.push_back(static_cast<double>(j));
         band_rows_ = std::clamp<std::size_t>(band_bytes / (y.size() * sizeof(double)), 1, x.size());

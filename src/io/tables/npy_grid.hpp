@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "batten/io/stored_bytes.hpp"
+
 namespace batten::tables {
 
 /// What the header of a NumPy file declares [NumPyFormat].
@@ -25,6 +27,9 @@ NpyHeader read_npy_header(std::string_view bytes, const std::string& source);
 /// Throws `npy.shape` unless there are two dimensions that hold something, `npy.truncated` unless
 /// `bytes` behind the header hold all.
 void require_npy_grid(const NpyHeader& header, std::uint64_t bytes, const std::string& source);
+
+/// The header of an array that stays where it is. Throws what both throw.
+NpyHeader stored_npy_grid(StoredBytes& bytes);
 
 /// Numbers that stand one behind the other.
 void npy_numbers(const NpyHeader& header, const char* bytes, std::span<double> out);

@@ -226,6 +226,16 @@ void require_npy_grid(const NpyHeader& header, std::uint64_t bytes, const std::s
     require_numbers(header, bytes, shape[0], shape[1], source);
 }
 
+NpyHeader stored_npy_grid(StoredBytes& bytes) {
+    // As much as version 1 can declare.
+    constexpr std::size_t most_header = (std::size_t{1} << 16) + 12;
+    std::string head(most_header, '\0');
+    head.resize(bytes.read(0, head));
+    NpyHeader header = read_npy_header(head, bytes.name());
+    require_npy_grid(header, bytes.size() - header.end, bytes.name());
+    return header;
+}
+
 void npy_numbers(const NpyHeader& header, const char* bytes, std::span<double> out) {
     const bool is_native = header.kind == 'f' && header.width == sizeof(double) &&
                            header.is_big_endian == (std::endian::native == std::endian::big);

@@ -49,4 +49,12 @@ std::size_t StoredBytes::read(std::uint64_t offset, std::span<char> out) {
     return count;
 }
 
+Source StoredBytes::head(const char* rule) {
+    constexpr std::size_t first_bytes = 512;
+    Source first{name(), std::string(first_bytes, '\0')};
+    first.bytes.resize(read(0, first.bytes));
+    if (first.bytes.empty()) throw Error("file.empty", name(), "no bytes", rule);
+    return first;
+}
+
 }  // namespace batten

@@ -28,8 +28,6 @@ public:
 namespace {
 
 constexpr std::size_t block_bytes = std::size_t{1} << 23;
-/// As much of a header as version 1 of NumPy's format can declare.
-constexpr std::size_t most_npy_header = (std::size_t{1} << 16) + 12;
 
 int line_number(std::uint64_t line) {
     constexpr std::uint64_t most = std::numeric_limits<int>::max();
@@ -51,10 +49,7 @@ Error shifted(const Error& error, const std::string& source, std::uint64_t shift
 class NpyBlocks : public TableStream::Blocks {
 public:
     explicit NpyBlocks(StoredBytes stored) : Blocks(std::move(stored)) {
-        std::string head(most_npy_header, '\0');
-        head.resize(bytes.read(0, head));
-        header_ = tables::read_npy_header(head, bytes.name());
-        tables::require_npy_grid(header_, bytes.size() - header_.end, bytes.name());
+        header_ = tables::stored_npy_grid(bytes);
         if (header_.is_fortran) {
             throw Error("table.streamed", bytes.name(), "an array in Fortran order",
                         "read in blocks are text columns and .npy in C order");
@@ -183,13 +178,7 @@ private:
 };
 
 std::unique_ptr<TableStream::Blocks> blocks_of(StoredBytes bytes) {
-    constexpr std::size_t first_bytes = 512;
-    Source head{bytes.name(), std::string(first_bytes, '\0')};
-    head.bytes.resize(bytes.read(0, head.bytes));
-    if (head.bytes.empty()) {
-        throw Error("file.empty", bytes.name(), "no bytes", "the file must hold a table");
-    }
-    switch (table_format(head)) {
+    switch (table_format(bytes.head("the file must hold a table"))) {
         case TableFormat::npy: return std::make_unique<NpyBlocks>(std::move(bytes));
         case TableFormat::text: return std::make_unique<TextBlocks>(std::move(bytes));
         default: break;
