@@ -1,7 +1,6 @@
 #include "make/fit/first_look.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "num/lanes.hpp"
@@ -15,6 +14,7 @@ using num::lanes;
 
 constexpr long long sign_bit = std::numeric_limits<long long>::min();
 constexpr double beyond_any = std::numeric_limits<double>::infinity();
+constexpr long long bits_beyond_any = 0x7ff0'0000'0000'0000;
 
 /// Numbers as the integers their bits are: from 0 up in the same order, then Inf, then NaN; below 0
 /// whatever has a sign.
@@ -23,8 +23,8 @@ BATTEN_INLINE void load_bits(const double* from, LaneMask& to) {
 }
 
 struct LookSums {
-    LaneMask largest = {};                                            ///< |y|
-    LaneMask least_sigma = LaneMask{} + std::bit_cast<long long>(beyond_any);
+    LaneMask largest = {};  ///< |y|
+    LaneMask least_sigma = LaneMask{} + bits_beyond_any;
     LaneMask largest_sigma = {};
     LaneMask rising = {};
 };
@@ -61,7 +61,11 @@ BATTEN_CLONES void add_rows(const Columns& from, std::size_t count, LookSums& su
     else add_blocks<false>(from, count, sums);
 }
 
-double number_of(long long bits) { return std::bit_cast<double>(bits); }
+double number_of(long long bits) {
+    double number;
+    std::memcpy(&number, &bits, sizeof number);
+    return number;
+}
 
 void add_size(double size, FirstLook& look) {
     look.largest = std::max(look.largest, std::isfinite(size) ? size : beyond_any);

@@ -75,7 +75,7 @@ struct MomentSums {
         const Lanes twice = block.u + block.u;
         gram[0] += before;
         side[0] += before * block.y;
-        if (Order > 1) {
+        if constexpr (Order > 1) {
             gram[1] += here;
             side[1] += here * block.y;
         }
