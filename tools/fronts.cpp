@@ -68,8 +68,8 @@ void print(const char* name, double (*truth)(double, double, double), double w) 
     const FitSurfaceReport& t = made.tensor.report;
     std::printf("| %s, w = %g | ", name, w);
     if (r.has_front) {
-        std::printf("%d + %d%s | %.2f | %.4f", r.parameters, r.line_parameters,
-                    r.is_jump ? ", jump" : "", r.sigma2, distance_between(made.surface, truth, w));
+        std::printf("%d + %d%s | %.2f | %.4f", r.parameters, r.parameters_charged - r.parameters,
+                    r.is_jump ? ", jump" : "", *r.sigma2, distance_between(made.surface, truth, w));
     } else {
         std::printf("none seen | |");
     }

@@ -274,18 +274,18 @@ private:
         const Heights fine = sampled(fit.surface, fine_places);
         Drawing drawing;
         drawing.title = "Figure 3.5 with curved knot lines: σ² = " +
-                        format_fixed(fit.report.sigma2, 3) + ", " +
+                        format_fixed(*fit.report.sigma2, 3) + ", " +
                         std::to_string(fit.report.parameters) + " coefficients";
         drawing.subtitle = set.name;
         drawing.width = 700;
         drawing.panels = {level_plot(fine, levels, "between the nodes"),
-                          relief_plot(fine, {{}, 51}, {})};
+                          relief_plot(fit.surface, {}, "the surface")};
         for (const PolylineLayer& lines : knot_lines(fit.surface)) drawing.panels[0].add(lines);
         write_file(folder_ + "/figure-3.5-curved.svg", svg(drawing));
         std::cout << "3.5 with curved lines: " << fit.report.parameters << " + "
-                  << fit.report.line_parameters << " parameters, δ² = "
+                  << fit.report.parameters_charged - fit.report.parameters << " parameters, δ² = "
                   << format_fixed(fit.report.delta2, 1) << ", σ² = "
-                  << format_fixed(fit.report.sigma2, 4) << '\n';
+                  << format_fixed(*fit.report.sigma2, 4) << '\n';
     }
 
     void write(const std::string& number, const SurfaceSet& set,

@@ -115,7 +115,7 @@ GridFile with_products(GridFile grid, const SurfaceRequest& request) {
 Outcome curved_outcome(const CurvedKnotSurface& surface, const FrontReport& report,
                        const GridFile& grid, std::optional<double> sigma) {
     // Where no error is known, that of the fit is its own mean.
-    const double error = sigma.value_or(std::sqrt(report.sigma2));
+    const double error = sigma.value_or(std::sqrt(report.sigma2.value_or(1)));
     return {Surface(surface), report.status, {}, report_value(report),
             [surface, report, grid, error] {
                 return curved_fit_picture(surface, report, grid, error);

@@ -101,7 +101,7 @@ TEST(Front, NeedsEightyParametersWhereATensorProductNeedsThousands) {
     const FrontFit made = fit_front(table.view(), options);
     const FrontReport& r = made.report;
     EXPECT_LE(r.sigma2, 1.15);
-    EXPECT_LE(r.parameters + r.line_parameters, 80);
+    EXPECT_LE(r.parameters_charged, 80);
     EXPECT_TRUE(r.has_front);
     EXPECT_LE(distance_between(made.surface, scintillator_truth), 0.005);
     EXPECT_LT(r.bic, *r.tensor_bic / 2);
@@ -214,7 +214,7 @@ TEST(Front, TakesLinesThatAreGiven) {
     ASSERT_EQ(lines.size(), 7u);
     for (const double y : {0.1, 0.33, 0.8}) EXPECT_NEAR(lines[3](y), front_of(y), 2e-4);
     const LinesFit made = fit_with_lines(table.view(), lines, 3, 0.01);
-    EXPECT_EQ(made.report.line_parameters, 0);
+    EXPECT_EQ(made.report.parameters_charged, made.report.parameters);
     EXPECT_EQ(made.report.parameters, 11 * 6);
     EXPECT_LE(made.report.sigma2, 1.2);
     rows(3, 2) = 0.99;

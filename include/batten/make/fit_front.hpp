@@ -26,34 +26,16 @@ constexpr std::array<Named<FrontRuns>, 2> names_of(FrontRuns) {
     return {{{"x(y)", FrontRuns::across_rows}, {"y(x)", FrontRuns::across_columns}}};
 }
 
-struct FrontReport {
+/// parameters_charged: the coefficients, and what was moved: the places of phi, gaps, lines beside.
+/// bic charges these too.
+struct FrontReport : SurfaceQuality {
     bool has_front = false;   ///< the criterion prefers the curved lines to a tensor product
     int fronts = 1;           ///< bundles of lines
     bool is_jump = false;     ///< lines were run together: the surface is not continuous
     FrontRuns front = FrontRuns::across_rows;
-    std::array<int, 2> intervals{};
-    int parameters = 0;       ///< coefficients
-    int line_parameters = 0;  ///< moved: those of phi, gaps, lines beside
-    double delta2 = 0;
-    double sigma2 = 0;        ///< delta2 / (N - p), the paper's count
-    double aic = 0;           ///< N ln delta2 + 2 p, the paper's
-    double bic = 0;           ///< moved parameters charged
-    std::optional<double> tensor_bic;  ///< of the automatic tensor product, where it was asked
-    std::optional<double> chi2_p;
-    std::vector<double> psi;
-    std::vector<double> breaks_x, breaks_y;  ///< of straight lines: in one direction the ends only
+    std::optional<double> tensor_bic;        ///< of the automatic tensor product, where it was asked
     std::vector<std::vector<double>> lines;  ///< coefficients of the curved ones
-    Separability separability;
-    double oscillation = 0;
-    std::vector<SurfaceStep> path;
-    std::size_t samples = 0;
-    std::size_t missing = 0;
-    SigmaSource sigma_source = SigmaSource::estimated;
-    std::optional<double> sigma;
-    double max_residual = 0;
     int steps = 0;
-    std::vector<std::string> notes;
-    Status status = Status::met;
 };
 
 template <class Visit>
@@ -63,33 +45,12 @@ void visit_fields(const FrontReport& r, Visit&& visit) {
               "whether the criterion prefers curved lines to straight ones");
         visit("fronts", r.fronts, "how many fronts are followed, from left to right");
         visit("is_jump", r.is_jump, "whether the surface is not continuous across a front");
+        visit("tensor_bic", r.tensor_bic, "bic of the automatic tensor product");
     }
     visit("front", r.front, "which coordinate of the front is a function of the other");
-    visit("intervals", r.intervals, "numbers of strips in x and y");
-    visit("parameters", r.parameters, "p: number of coefficients");
-    visit("parameters_charged", r.parameters + r.line_parameters, "p and those of the lines");
-    visit("delta2", r.delta2, "weighted sum of squared residuals");
-    visit("sigma2", r.sigma2, "delta2 / (N - p)");
-    visit("aic", r.aic, "N ln delta2 + 2 p");
-    visit("bic", r.bic, "delta2 + (p and those of the lines) ln N");
-    if (r.tensor_bic) {
-        visit("tensor_bic", r.tensor_bic, "the same of the automatic tensor product");
-    }
-    visit("chi2_p", r.chi2_p, "probability of a larger delta2 if the errors are as stated");
-    visit("psi", r.psi, "shares of the residuals within 1, 2, ... 10 sigma");
-    visit("breaks_x", r.breaks_x, "straight knot lines in x, both ends included");
-    visit("breaks_y", r.breaks_y, "straight knot lines in y");
+    visit_fields(static_cast<const SurfaceQuality&>(r), visit);
     visit("lines", r.lines, "coefficients of every curved line, a cubic spline of y over equal "
                             "intervals");
-    visit("separability", r.separability, "what cannot be written with one function a direction");
-    visit("oscillation", r.oscillation,
-          "how the surface bends between nodes, against how its nodes bend");
-    visit("path", r.path, "numbers of strips tried, from first to last; bic as above");
-    visit("samples", r.samples, "N: nodes with a height");
-    visit("missing", r.missing, "nodes without one");
-    visit("sigma_source", r.sigma_source, "where the errors of the data come from");
-    visit("sigma", r.sigma, "the error used, where it is one number");
-    visit("max_residual", r.max_residual, "largest |residual|, data units");
     visit("steps", r.steps, "steps of the descent that won");
     visit("notes", r.notes, "what else there is to say");
 }

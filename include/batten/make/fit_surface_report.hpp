@@ -38,14 +38,14 @@ void visit_fields(const Separability& r, Visit&& visit) {
     visit("product", r.product, "share of the surface's sum of squares beyond u(x) v(y)");
 }
 
-struct FitSurfaceReport : FitCriteria {
+/// What is told of every surface that was fitted, whatever its knot lines.
+struct SurfaceQuality : FitCriteria {
     std::array<int, 2> intervals{};
     int parameters = 0;
     int parameters_charged = 0;
     std::optional<double> chi2_p;
     std::vector<double> psi;
     std::vector<double> breaks_x, breaks_y;
-    std::vector<double> knots_x, knots_y;
     Separability separability;
     double oscillation = 0;
     std::vector<SurfaceStep> path;
@@ -53,25 +53,21 @@ struct FitSurfaceReport : FitCriteria {
     std::size_t missing = 0;
     SigmaSource sigma_source = SigmaSource::estimated;
     std::optional<double> sigma;
-    std::vector<std::array<int, 2>> undetermined;
-    int iterations = 0;
     double max_residual = 0;
     Status status = Status::met;
-    std::vector<std::string> notes;
+    std::vector<std::string> notes;  ///< told last
 };
 
 template <class Visit>
-void visit_fields(const FitSurfaceReport& r, Visit&& visit) {
+void visit_fields(const SurfaceQuality& r, Visit&& visit) {
     visit("intervals", r.intervals, "numbers of strips in x and y");
     visit("parameters", r.parameters, "p: number of coefficients");
     visit("parameters_charged", r.parameters_charged, "p and the knot lines that were moved");
     visit_fields(static_cast<const FitCriteria&>(r), visit);
     visit("chi2_p", r.chi2_p, "probability of a larger delta2 if the errors are as stated");
     visit("psi", r.psi, "shares of the residuals within 1, 2, ... 10 sigma");
-    visit("breaks_x", r.breaks_x, "distinct knots in x, both ends included");
-    visit("breaks_y", r.breaks_y, "distinct knots in y");
-    visit("knots_x", r.knots_x, "the full knot vector in x");
-    visit("knots_y", r.knots_y, "the full knot vector in y");
+    visit("breaks_x", r.breaks_x, "distinct straight knot lines in x, both ends included");
+    visit("breaks_y", r.breaks_y, "distinct straight knot lines in y");
     visit("separability", r.separability, "what cannot be written with one function a direction");
     visit("oscillation", r.oscillation,
           "how the surface bends between nodes, against how its nodes bend: about 1 where it is "
@@ -81,9 +77,22 @@ void visit_fields(const FitSurfaceReport& r, Visit&& visit) {
     visit("missing", r.missing, "nodes without one");
     visit("sigma_source", r.sigma_source, "where the errors of the data come from");
     visit("sigma", r.sigma, "the error used, where it is one number");
+    visit("max_residual", r.max_residual, "largest |residual|, data units");
+}
+
+struct FitSurfaceReport : SurfaceQuality {
+    std::vector<double> knots_x, knots_y;
+    std::vector<std::array<int, 2>> undetermined;
+    int iterations = 0;
+};
+
+template <class Visit>
+void visit_fields(const FitSurfaceReport& r, Visit&& visit) {
+    visit_fields(static_cast<const SurfaceQuality&>(r), visit);
+    visit("knots_x", r.knots_x, "the full knot vector in x");
+    visit("knots_y", r.knots_y, "the full knot vector in y");
     visit("undetermined", r.undetermined, "coefficients i,j that the data do not determine");
     visit("iterations", r.iterations, "conjugate-gradient steps, where nodes are missing");
-    visit("max_residual", r.max_residual, "largest |residual|, data units");
     visit("notes", r.notes, "what else there is to say");
 }
 

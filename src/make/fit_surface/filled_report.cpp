@@ -10,7 +10,12 @@
 
 namespace batten::surface_fitting {
 
-void fill_criteria(FitSurfaceReport& report, const Misfit& misfit, const SampleFacts& facts) {
+SampleFacts facts_of(const Nodes& nodes) {
+    return {nodes.count,  nodes.missing, nodes.sigma_known,
+            nodes.source, nodes.sigma,   nodes.least_delta2};
+}
+
+void fill_criteria(SurfaceQuality& report, const Misfit& misfit, const SampleFacts& facts) {
     static_cast<FitCriteria&>(report) =
         fit_criteria(std::max(misfit.delta2, facts.least_delta2), facts.count, report.parameters,
                      facts.sigma_known ? SigmaKnowledge::known : SigmaKnowledge::unknown);
@@ -84,23 +89,15 @@ Misfit front_misfit(const Nodes& nodes, const CurvedKnotSurface& surface) {
 }  // namespace
 
 void fill_front(FrontReport& report, const Nodes& nodes, const CurvedKnotSurface& surface) {
-    const Misfit measured = front_misfit(nodes, surface);
-    const double degrees = static_cast<double>(nodes.count) - report.parameters;
-    report.aic = fit_criteria(report.delta2, nodes.count, report.parameters,
-                              SigmaKnowledge::known).aic;
-    if (nodes.sigma_known && degrees > 0) report.chi2_p = chi2_survival(report.delta2, degrees);
-    report.psi.assign(measured.psi.begin(), measured.psi.end());
-    report.max_residual = measured.max_residual;
+    const double charged = report.bic;
+    fill_criteria(report, front_misfit(nodes, surface), facts_of(nodes));
+    report.bic = charged;
     const bool is_upright = report.front == FrontRuns::across_rows;
     const Rectangle& domain = surface.domain();
     report.breaks_x = straight_breaks(domain.x, surface.x_lines(), !is_upright);
     report.breaks_y = straight_breaks(domain.y, surface.y_lines(), is_upright);
     report.separability = separability(surface, nodes.x, nodes.y);
     report.oscillation = oscillation(surface, nodes.x, nodes.y);
-    report.samples = nodes.count;
-    report.missing = nodes.missing;
-    report.sigma = nodes.sigma;
-    report.sigma_source = nodes.source;
 }
 
 void require_finite_solution(const std::vector<double>& coefficients, double delta2) {

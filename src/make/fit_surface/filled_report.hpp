@@ -20,11 +20,13 @@ struct SampleFacts {
     double least_delta2 = 0;  ///< what rounding leaves
 };
 
+SampleFacts facts_of(const Nodes& nodes);
+
 /// Knots, breaks, numbers of strips and coefficients.
 void fill_lines(FitSurfaceReport& report, const SplineSurface& surface);
 
 /// Everything that follows from the residuals; after fill_lines.
-void fill_criteria(FitSurfaceReport& report, const Misfit& misfit, const SampleFacts& facts);
+void fill_criteria(SurfaceQuality& report, const Misfit& misfit, const SampleFacts& facts);
 
 /// Notes where the surface swings between the samples, or leaves more than the errors.
 void note_what_is_badly_fitted(FitSurfaceReport& report);

@@ -50,8 +50,7 @@ SurfaceFit fit_surface(const SurfaceSamples& samples, const FitSurfaceOptions& o
     report.iterations = solution.iterations;
     SplineSurface surface(x.basis(), y.basis(), std::move(solution.coefficients));
     fill_lines(report, surface);
-    fill_criteria(report, measured, {nodes.count, nodes.missing, nodes.sigma_known, nodes.source,
-                                     nodes.sigma, nodes.least_delta2});
+    fill_criteria(report, measured, facts_of(nodes));
     report.parameters_charged = report.parameters + choice.moved;
     report.separability = separability(surface, nodes.x, nodes.y);
     report.oscillation = oscillation(surface, nodes.x, nodes.y);
