@@ -1,7 +1,6 @@
 #include "summary.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "batten/base/text.hpp"
 
@@ -14,16 +13,6 @@ constexpr std::size_t most_shown = 6;
 constexpr int digits = 7;
 
 std::string brief(const Value& value);
-
-std::string brief(double x) {
-    constexpr int most_decimals = 22;  // 10^22 is a double
-    if (x == 0) return format_number(x);
-    const int decimals = digits - 1 - static_cast<int>(std::floor(std::log10(std::fabs(x))));
-    if (decimals > most_decimals) return format_number(x);
-    if (decimals <= 0) return format_number(std::round(x));
-    const double power = std::pow(10.0, decimals);
-    return format_number(std::round(x * power) / power);
-}
 
 /// The first few numbers of a list, and how many there are; of a table that alone.
 std::string brief(const ValueList& list) {
@@ -49,7 +38,7 @@ std::string brief(const Value& value) {
     if (value.is_null()) return "none";
     if (const bool* truth = value.truth()) return *truth ? "yes" : "no";
     if (const long long* whole = value.integer()) return std::to_string(*whole);
-    if (const double* x = value.real()) return brief(*x);
+    if (const double* x = value.real()) return format_brief(*x, digits);
     if (const std::string* text = value.text()) return *text;
     if (const ValueList* list = value.list()) return brief(*list);
     return brief(*value.map());

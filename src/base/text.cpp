@@ -56,6 +56,16 @@ std::string format_fixed(double x, int decimals) {
     return text == "-0" ? "0" : text;
 }
 
+std::string format_brief(double x, int digits) {
+    constexpr int most_decimals = 22;  // 10^22 is a double
+    if (x == 0 || !std::isfinite(x)) return format_number(x);
+    const int decimals = digits - 1 - static_cast<int>(std::floor(std::log10(std::fabs(x))));
+    if (decimals > most_decimals) return format_number(x);
+    if (decimals <= 0) return format_number(std::round(x));
+    const double power = std::pow(10.0, decimals);
+    return format_number(std::round(x * power) / power);
+}
+
 std::string_view trimmed(std::string_view text) {
     const std::string_view blanks = " \t\r\n\f\v";
     const std::size_t first = text.find_first_not_of(blanks);

@@ -12,6 +12,9 @@ std::string format_number(double x);
 
 /// `x` rounded to a fixed number of decimals, without trailing zeros and never `-0`.
 std::string format_fixed(double x, int decimals);
+/// The shortest text of x rounded to so many digits before and after the point, for people to read; no
+/// digit before the point is lost.
+std::string format_brief(double x, int digits);
 
 /// The number that `text` is, whole and alone (blanks around it allowed), or nothing. Accepts
 /// `1e-3`, `+.5`, `nan` and `inf`; independent of the locale.

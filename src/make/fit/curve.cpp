@@ -93,7 +93,7 @@ FitReport report_of(CurveSearch& search) {
     if (before != report.path.rend() &&
         std::fabs(before->bic - report.bic) > 1e-9 * std::fabs(report.bic)) {
         report.notes.push_back("path: before the last correction of the parameters, bic " +
-                               brief(before->bic) + " here");
+                               format_brief(before->bic, 4) + " here");
     }
     if (report.status == Status::met && !search.choice().is_met) report.status = Status::not_met;
     if (!search.keeps_ends() && report.undetermined.empty()) {

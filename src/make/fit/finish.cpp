@@ -14,14 +14,6 @@ constexpr int band_points = 201;
 
 }  // namespace
 
-std::string brief(double x) {
-    if (x == 0 || !std::isfinite(x)) return format_number(x);
-    const int decimals = 3 - static_cast<int>(std::floor(std::log10(std::fabs(x))));
-    if (decimals > 300 || decimals < -300) return format_number(x);
-    const double unit = std::pow(10.0, std::abs(decimals));
-    return format_number(decimals > 0 ? std::round(x * unit) / unit : std::round(x / unit) * unit);
-}
-
 void fill_criteria(FitReport& report, const FixedFit& fixed, const Misfit& misfit) {
     if (!std::isfinite(misfit.delta2)) {
         throw Error("number.overflow", "delta2", format_number(misfit.delta2),
@@ -77,8 +69,8 @@ void note_what_sigma_hides(FitReport& report) {
     const double ratio = std::sqrt(*report.sigma2);
     if (ratio <= alike && ratio >= 1 / alike) return;
     report.notes.push_back("sigma: estimated from differences of neighbours as " +
-                           brief(*report.sigma) + "; by the residuals it is " +
-                           brief(ratio * *report.sigma));
+                           format_brief(*report.sigma, 4) + "; by the residuals it is " +
+                           format_brief(ratio * *report.sigma, 4));
 }
 
 void fill_band(FitReport& report, const SplineFunction& spline, const FitCovariance& covariance) {

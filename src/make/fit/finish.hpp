@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "batten/make/fit.hpp"
 #include "make/fit/covariance.hpp"
 #include "make/fit/fixed_fit.hpp"
@@ -25,9 +23,6 @@ void fill_tally(FitReport& report, const ResidualTally& tally);
 
 /// Knots, breaks and coefficients.
 void fill_spline(FitReport& report, const SplineFunction& spline);
-
-/// Four digits: enough for a note.
-std::string brief(double x);
 
 /// A note where samples leave coefficients open.
 void note_open_coefficients(FitReport& report);
