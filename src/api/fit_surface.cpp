@@ -236,10 +236,14 @@ Outcome run_streamed(std::span<const Input> inputs, const SurfaceRequest& reques
     std::vector<double> x = grid.x(), y = grid.y();
     take_lines(x, request.x, "x");
     take_lines(y, request.y, "y");
-    const SurfaceFit made = fit_surface(
+    SurfaceFit made = fit_surface(
         {x, y, [&](std::size_t first, std::span<double> z) { grid.read(first, z); },
          request.x_sigma, request.y_sigma},
         request.fit, request.progress);
+    if (made.report.missing > 0) {
+        made.report.notes.insert(made.report.notes.begin(),
+                                 std::to_string(made.report.missing) + " nodes are missing");
+    }
     return {Surface(made.surface), made.report.status, {}, report_value(made.report),
             [made] { return surface_picture(Surface(made.surface), usual_levels); },
             surface_forms(Surface(made.surface), x, y)};

@@ -140,12 +140,12 @@ TEST(BadSurfaceChunk, TakesNothingInThatDoesNotBelongToIt) {
     EXPECT_EQ(chunk.samples(), 72u);
 }
 
-/// The heights x + 2 y; number `bad` is none.
+/// The heights x + 2 y; number `bad` is infinite.
 SurfaceStream plane(std::span<const double> x, std::span<const double> y, std::size_t bad) {
     return {x, y, [=](std::size_t first, std::span<double> z) {
                 for (std::size_t k = 0; k < z.size(); ++k) {
                     const std::size_t at = first * y.size() + k;
-                    z[k] = at == bad ? std::numeric_limits<double>::quiet_NaN()
+                    z[k] = at == bad ? std::numeric_limits<double>::infinity()
                                      : x[at / y.size()] + 2 * y[at % y.size()];
                 }
             }};

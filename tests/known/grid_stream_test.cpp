@@ -24,13 +24,20 @@ void expect_same(GridStream stream, const GridFile& whole) {
         for (std::size_t first = 0; first < rows; first += size) {
             std::vector<double> z(std::min(size, rows - first) * columns);
             stream.read(first, z);
-            EXPECT_TRUE(std::equal(z.begin(), z.end(), want.begin() + first * columns));
+            for (std::size_t k = 0; k < z.size(); ++k) {
+                if (whole.z.view().has(first + k / columns, k % columns)) {
+                    EXPECT_EQ(z[k], want[first * columns + k]);
+                } else {
+                    EXPECT_TRUE(std::isnan(z[k]));
+                }
+            }
         }
     }
 }
 
 TEST(GridStream, IsTheGridReadWhole) {
-    const SurfaceTable table = surface_of([](double x, double y) { return x - 3 * y; }, 11, 7, 1);
+    SurfaceTable table = surface_of([](double x, double y) { return x - 3 * y; }, 11, 7, 1);
+    table.z.drop(4, 5);
     const std::string csv = csv_grid(table.x, table.y, table.z);
     expect_same(streamed("g.csv", csv), parse_grid({"g.csv", csv}));
     const std::string npy = npy_grid(table.z);

@@ -33,9 +33,8 @@ public:
     const std::vector<double>& x() const;
     const std::vector<double>& y() const;
 
-    /// The heights of whole rows from row `first` on: z.size() / y().size() of them. Throws
-    /// `grid.holes` where one is missing, `grid.cell`, `grid.ragged`, `table.quote`,
-    /// `file.unreadable`.
+    /// The heights of whole rows from row `first` on: z.size() / y().size() of them; NaN where one
+    /// is missing. Throws `grid.cell`, `grid.ragged`, `table.quote`, `file.unreadable`.
     void read(std::size_t first, std::span<double> z);
 
 private:

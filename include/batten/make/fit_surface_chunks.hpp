@@ -83,7 +83,7 @@ public:
     /// Throws what SurfaceChunk throws about the columns.
     SurfaceResiduals(const SplineSurface& surface, SurfaceColumns columns);
 
-    /// Throws what `SurfaceChunk::add` throws.
+    /// Heights may be missing (NaN). Throws what `SurfaceChunk::add` throws.
     void add(const SurfaceRows& rows, double sigma = 1);
     /// Takes in what another one of the same surface has seen.
     void merge(const SurfaceResiduals& other);
@@ -98,29 +98,30 @@ private:
     std::shared_ptr<const Frame> frame_;
     double delta2_ = 0, largest_ = 0;
     std::array<double, psi_count> within_{};  ///< how many lie within 1, 2, ... sigma
-    std::size_t samples_ = 0;
+    std::size_t samples_ = 0, missing_ = 0;
 };
 
 /// A grid whose heights are read row by row, as often as they are needed.
 struct SurfaceStream {
     std::span<const double> x;
     std::span<const double> y;
-    /// Fills z with whole rows, from row `first` on.
+    /// Fills z with whole rows, from row `first` on; NaN where a height is missing.
     std::function<void(std::size_t first, std::span<double> z)> read;
     std::span<const double> x_sigma = {};
     std::span<const double> y_sigma = {};
     std::size_t rows_at_once = 0;  ///< how many are asked for; 0: about 8 MB of them
 };
 
-/// `fit_surface` of a grid that memory does not hold: the rows are read twice. No node is missing.
-/// Knot lines are given, equal with `intervals`, or automatic, by the projected rule, until a
+/// `fit_surface` of a grid that memory does not hold: the rows are read twice, and twice more where
+/// nodes are missing. Knot lines are given, equal with `intervals`, or automatic, by the projected rule, until a
 /// criterion, chi2 or delta2 decides. Their search works on the products with the splines over 128
 /// x 128 strips; where it comes to finer ones the rows are read once more. Of fewer than 50,000
 /// nodes all are held, and all is possible.
 ///
 /// Law:    the lines are those of the grid in memory, the coefficients the same to rounding.
 /// Memory: two blocks of rows; for a search, of every line what 131 doubles hold, or of finer
-///         strips as many as there are splines.
+///         strips as many as there are splines. Where nodes are missing, also order^2 numbers a
+///         coefficient, and for a search degree + 2 times as many of every line.
 /// Throws what `fit_surface` throws; `fit-surface.streamed` for what needs all heights at once.
 SurfaceFit fit_surface(const SurfaceStream& stream, const FitSurfaceOptions& options,
                        const Progress& progress = {});

@@ -13,12 +13,6 @@ Error not_streamed(const std::string& source, std::string value) {
             "write the grid as one of these, with numpy.save for example, or read it whole"};
 }
 
-Error missing_node(const std::string& place) {
-    return {"grid.holes", place, "missing",
-            "a grid that is read in blocks has a height at every node: cut off or fill those that "
-            "are missing, or take every second row and column until it is read whole"};
-}
-
 }  // namespace grids
 
 namespace {

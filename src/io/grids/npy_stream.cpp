@@ -30,11 +30,11 @@ public:
             read_run(first * y.size(), z);
         }
         for (std::size_t k = 0; k < z.size(); ++k) {
-            if (std::isfinite(z[k])) continue;
-            const std::string place = bytes.name() + " [" + std::to_string(first + k / y.size()) +
-                                      "][" + std::to_string(k % y.size()) + "]";
-            if (std::isnan(z[k])) throw missing_node(place);
-            throw Error("grid.cell", place, "inf", "a height must be a finite number or NaN");
+            if (!std::isinf(z[k])) continue;
+            throw Error("grid.cell",
+                        bytes.name() + " [" + std::to_string(first + k / y.size()) + "][" +
+                            std::to_string(k % y.size()) + "]",
+                        "inf", "a height must be a finite number or NaN");
         }
     }
 

@@ -23,6 +23,5 @@ std::unique_ptr<StoredRows> npy_rows(StoredBytes bytes);
 std::unique_ptr<StoredRows> text_rows(StoredBytes bytes);
 
 Error not_streamed(const std::string& source, std::string value);
-Error missing_node(const std::string& place);
 
 }  // namespace batten::grids

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "batten/base/error.hpp"
@@ -107,8 +108,7 @@ public:
             for (std::size_t j = 0; j < width; ++j) {
                 const CellPlace place{bytes.name(), line.number, y_order_[j] + 1};
                 const std::optional<double> value = height(cells_[place.column], place);
-                if (!value) throw missing_node(place.text());
-                z[r * width + j] = *value;
+                z[r * width + j] = value.value_or(std::numeric_limits<double>::quiet_NaN());
             }
         }
     }

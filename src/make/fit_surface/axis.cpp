@@ -120,6 +120,12 @@ BSplineBasis basis_over(std::span<const double> breaks, int degree) {
     return BSplineBasis::over(breaks, degree);
 }
 
+std::size_t strip_of(const BSplineBasis& basis, double t) {
+    const std::span<const double> inside = basis.breaks().subspan(1, basis.breaks().size() - 2);
+    return static_cast<std::size_t>(std::upper_bound(inside.begin(), inside.end(), t) -
+                                    inside.begin());
+}
+
 bool is_determined(const BSplineBasis& basis, std::span<const double> used) {
     const int functions = static_cast<int>(basis.size());
     return fitting::rank_of(lines_as_cells(basis, used), functions) == functions;

@@ -55,6 +55,9 @@ private:
 /// The B-splines over breaks, each inner one a simple knot.
 BSplineBasis basis_over(std::span<const double> breaks, int degree);
 
+/// The strip between two breaks in which t lies.
+std::size_t strip_of(const BSplineBasis& basis, double t);
+
 /// Whether the used lines determine all splines over these knots.
 bool is_determined(const BSplineBasis& basis, std::span<const double> used);
 

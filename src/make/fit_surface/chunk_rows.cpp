@@ -1,5 +1,6 @@
 #include "make/fit_surface/chunk_rows.hpp"
 
+#include <cmath>
 #include <string>
 
 #include "batten/base/error.hpp"
@@ -16,10 +17,8 @@ void require_inside(std::span<const double> lines, Interval domain, const char* 
     }
 }
 
-}  // namespace
-
 /// A height that is none spoils the sum; only then it is looked for.
-void require_finite_rows(std::span<const double> z, std::size_t columns, std::size_t first) {
+bool is_all_finite(std::span<const double> z) {
     double lanes[8] = {};
     const std::size_t whole = z.size() / 8 * 8;
     for (std::size_t k = 0; k < whole; k += 8) {
@@ -28,8 +27,21 @@ void require_finite_rows(std::span<const double> z, std::size_t columns, std::si
     for (std::size_t k = whole; k < z.size(); ++k) lanes[0] += 0 * z[k];
     double sum = 0;
     for (const double lane : lanes) sum += lane;
-    if (sum == 0) return;
-    require_finite_heights(z, columns, first);
+    return sum == 0;
+}
+
+}  // namespace
+
+void require_finite_rows(std::span<const double> z, std::size_t columns, std::size_t first) {
+    if (!is_all_finite(z)) require_finite_heights(z, columns, first);
+}
+
+bool has_holes(std::span<const double> z, std::size_t columns, std::size_t first) {
+    if (is_all_finite(z)) return false;
+    for (std::size_t k = 0; k < z.size(); ++k) {
+        if (std::isinf(z[k])) refuse_height(first + k / columns, k % columns, z[k]);
+    }
+    return true;
 }
 
 void require_columns(const SurfaceColumns& columns, const BSplineBasis& y) {
@@ -49,7 +61,6 @@ void require_rows(const SurfaceRows& rows, const SurfaceColumns& columns, const 
                     std::to_string(rows.x.size()) + " whole rows of " +
                         std::to_string(columns.y.size()) + " heights are needed");
     }
-    require_finite_rows(rows.z, columns.y.size());
 }
 
 }  // namespace batten::surface_fitting

@@ -37,11 +37,6 @@ struct SurfaceChunk::Frame {
     std::size_t width() const { return order() + fits.axis().functions(); }
     std::size_t strips() const { return x.breaks().size() - 1; }
     Interval strip(std::size_t i) const { return {x.breaks()[i], x.breaks()[i + 1]}; }
-    std::size_t strip_of(double at) const {
-        const std::span<const double> inside = x.breaks().subspan(1, strips() - 1);
-        return static_cast<std::size_t>(std::upper_bound(inside.begin(), inside.end(), at) -
-                                        inside.begin());
-    }
 };
 
 SurfaceChunk::SurfaceChunk(BSplineBasis x_basis, BSplineBasis y_basis, SurfaceColumns columns) {
@@ -69,6 +64,7 @@ void SurfaceChunk::absorb(std::size_t strip, std::vector<double>& rows) {
 
 void SurfaceChunk::add(const SurfaceRows& given, double sigma) {
     require_rows(given, frame_->columns, frame_->x, sigma);
+    require_finite_rows(given.z, frame_->columns.y.size());
     const std::size_t order = frame_->order(), q = frame_->fits.axis().functions();
     const std::size_t ny = frame_->columns.y.size();
     std::vector<double> rows, values(order);
@@ -77,7 +73,7 @@ void SurfaceChunk::add(const SurfaceRows& given, double sigma) {
         const RowFits::Fitted fitted =
             frame_->fits.fit(given.z.subspan(first * ny, (last - first) * ny));
         for (std::size_t r = first; r < last; ++r) {
-            const std::size_t strip = frame_->strip_of(given.x[r]);
+            const std::size_t strip = strip_of(frame_->x, given.x[r]);
             const double weight =
                 1 / (sigma * (given.x_sigma.empty() ? 1 : given.x_sigma[r]));
             left_sq_ += weight * weight * fitted.left_sq[r - first];
@@ -86,12 +82,12 @@ void SurfaceChunk::add(const SurfaceRows& given, double sigma) {
             for (const double value : values) rows.push_back(weight * value);
             const double* const c = fitted.coefficients.data() + (r - first) * q;
             for (std::size_t j = 0; j < q; ++j) rows.push_back(weight * c[j]);
-            const bool goes_on = r + 1 < last && frame_->strip_of(given.x[r + 1]) == strip;
+            const bool goes_on = r + 1 < last && strip_of(frame_->x, given.x[r + 1]) == strip;
             if (!goes_on) absorb(strip, rows);
         }
     }
     for (const double x : given.x) {
-        const std::size_t strip = frame_->strip_of(x);
+        const std::size_t strip = strip_of(frame_->x, x);
         fitting::remember_places(strips_[strip].places, {&x, 1}, frame_->strip(strip), order);
     }
     samples_ += given.z.size();

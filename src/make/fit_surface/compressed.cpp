@@ -3,84 +3,11 @@
 #include <algorithm>
 
 #include "make/fit_surface/height_products.hpp"
+#include "make/fit_surface/inclusion.hpp"
 #include "num/rows.hpp"
 #include "num/tensor.hpp"
 
 namespace batten::surface_fitting {
-namespace {
-
-/// The coarse splines as sums of the fine ones.
-struct Inclusion {
-    std::size_t coarse, fine;
-    std::vector<std::size_t> first;             ///< of every coarse spline: its first fine one
-    std::vector<std::vector<double>> weights;
-
-    /// The products with the coarse splines from those with the fine ones, count rows.
-    std::vector<double> reduced(const std::vector<double>& rows) const {
-        const std::size_t count = rows.size() / fine;
-        std::vector<double> result(count * coarse);
-        for (std::size_t r = 0; r < count; ++r) {
-            for (std::size_t i = 0; i < coarse; ++i) {
-                const double* const from = rows.data() + r * fine + first[i];
-                double sum = 0;
-                for (std::size_t j = 0; j < weights[i].size(); ++j) sum += weights[i][j] * from[j];
-                result[r * coarse + i] = sum;
-            }
-        }
-        return result;
-    }
-};
-
-/// The coefficients of coarse spline i for the fine ones.
-/// Source: [CohenLycheRiesenfeld1980, algorithm 1].
-std::vector<double> refined(const BSplineBasis& coarse, std::size_t i, const BSplineBasis& fine) {
-    const std::span<const double> t = coarse.knots(), u = fine.knots();
-    const std::size_t order = static_cast<std::size_t>(coarse.degree()) + 1;
-    std::vector<double> result(fine.size(), 0.0), a(order);
-    for (std::size_t j = 0; j < fine.size(); ++j) {
-        if (u[j] < t[i] || u[j + order] > t[i + order]) continue;
-        for (std::size_t l = 0; l < order; ++l) {
-            a[l] = t[i + l] <= u[j] && u[j] < t[i + l + 1] ? 1 : 0;
-        }
-        const auto share = [&](std::size_t first, std::size_t k) {
-            const double width = t[first + k] - t[first];
-            return width > 0 ? (u[j + k] - t[first]) / width : 0;
-        };
-        for (std::size_t k = 1; k < order; ++k) {
-            for (std::size_t l = 0; l + k < order; ++l) {
-                const double right = t[i + l + 1 + k] > t[i + l + 1] ? 1 - share(i + l + 1, k) : 0;
-                a[l] = share(i + l, k) * a[l] + right * a[l + 1];
-            }
-        }
-        result[j] = a[0];
-    }
-    return result;
-}
-
-Inclusion inclusion_of(const BSplineBasis& coarse, const BSplineBasis& fine) {
-    Inclusion all{coarse.size(), fine.size(), {}, {}};
-    for (std::size_t i = 0; i < coarse.size(); ++i) {
-        const std::vector<double> c = refined(coarse, i, fine);
-        std::size_t from = 0, to = c.size();
-        while (from + 1 < to && c[from] == 0) ++from;
-        while (to > from + 1 && c[to - 1] == 0) --to;
-        all.first.push_back(from);
-        all.weights.emplace_back(c.begin() + static_cast<std::ptrdiff_t>(from),
-                                 c.begin() + static_cast<std::ptrdiff_t>(to));
-    }
-    return all;
-}
-
-std::vector<double> transposed(const std::vector<double>& m, std::size_t rows,
-                               std::size_t columns) {
-    std::vector<double> result(m.size());
-    for (std::size_t i = 0; i < rows; ++i) {
-        for (std::size_t j = 0; j < columns; ++j) result[j * rows + i] = m[i * columns + j];
-    }
-    return result;
-}
-
-}  // namespace
 
 std::unique_ptr<Compressed> Compressed::over(const Nodes& nodes, int degree,
                                              const std::vector<double>& x_breaks,
@@ -130,7 +57,7 @@ bool Compressed::has_break(Way way, double t) const {
 
 std::vector<double> Compressed::coordinates(Way way, const BSplineBasis& basis,
                                             std::size_t function) const {
-    return axis(way).times_triangle(refined(basis, function, axis(way).basis()));
+    return axis(way).times_triangle(refined_spline(basis, function, axis(way).basis()));
 }
 
 std::vector<double> Compressed::at_lines(Way way, std::span<const double> function) const {
@@ -160,12 +87,8 @@ SearchSpace::Image Compressed::image(Way way, std::span<const double> function) 
 }
 
 Solution Compressed::solution(const Axis& x, const Axis& y) const {
-    const Inclusion in_x = inclusion_of(x.basis(), x_.basis());
-    const Inclusion in_y = inclusion_of(y.basis(), y_.basis());
-    const std::size_t p = x.functions(), q = y.functions();
-    const std::vector<double> half = in_y.reduced(products_);  // fine x by coarse y
-    const std::vector<double> g = in_x.reduced(transposed(half, x_.functions(), q));  // q x p
-    return {inverted(transposed(g, q, p), x, y)};
+    const InclusionPair coarse{{x.basis(), x_.basis()}, {y.basis(), y_.basis()}};
+    return {inverted(coarse.reduced(products_), x, y)};
 }
 
 }  // namespace batten::surface_fitting

@@ -28,6 +28,9 @@ void fill_lines(FitSurfaceReport& report, const SplineSurface& surface);
 /// Everything that follows from the residuals; after fill_lines.
 void fill_criteria(SurfaceQuality& report, const Misfit& misfit, const SampleFacts& facts);
 
+constexpr const char* note_of_holes =
+    "holes in the data leave coefficients open: continued smoothly";
+
 /// Notes where the surface swings between the samples, or leaves more than the errors.
 void note_what_is_badly_fitted(FitSurfaceReport& report);
 

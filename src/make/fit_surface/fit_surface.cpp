@@ -57,7 +57,7 @@ SurfaceFit fit_surface(const SurfaceSamples& samples, const FitSurfaceOptions& o
     report.path = std::move(choice.path);
     report.notes = std::move(choice.notes);
     if (!report.undetermined.empty()) {
-        report.notes.push_back("holes in the data leave coefficients open: continued smoothly");
+        report.notes.push_back(note_of_holes);
     }
     note_what_is_badly_fitted(report);
     report.status = surface_status(report, solution, choice);

@@ -43,12 +43,15 @@ void require_errors(std::span<const double> sigma, std::size_t count, const char
     }
 }
 
+void refuse_height(std::size_t row, std::size_t column, double z) {
+    throw Error("points.not-finite",
+                "node " + std::to_string(row) + ',' + std::to_string(column), format_number(z),
+                "heights must be finite");
+}
+
 void require_finite_heights(std::span<const double> z, std::size_t columns, std::size_t first) {
     for (std::size_t k = 0; k < z.size(); ++k) {
-        if (std::isfinite(z[k])) continue;
-        throw Error("points.not-finite",
-                    "node " + std::to_string(first + k / columns) + ',' + std::to_string(k % columns),
-                    format_number(z[k]), "heights must be finite");
+        if (!std::isfinite(z[k])) refuse_height(first + k / columns, k % columns, z[k]);
     }
 }
 

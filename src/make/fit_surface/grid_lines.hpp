@@ -16,6 +16,9 @@ void require_lines(std::span<const double> lines, const char* name);
 /// Throws `fit-surface.sizes`, `fit.sigma` unless there are none or `count` errors above 0.
 void require_errors(std::span<const double> sigma, std::size_t count, const char* name);
 
+/// Throws `points.not-finite`.
+[[noreturn]] void refuse_height(std::size_t row, std::size_t column, double z);
+
 /// Throws `points.not-finite` at the first height that is none; rows of `columns` heights, the
 /// first of which the grid has `first` rows before.
 void require_finite_heights(std::span<const double> z, std::size_t columns, std::size_t first = 0);

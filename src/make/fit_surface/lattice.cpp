@@ -18,6 +18,7 @@ namespace {
 constexpr int usual_halvings = 5;
 constexpr int least_halvings = 3;
 constexpr int stored_halvings = 7;  // of heights whose reading takes longer than a search
+constexpr std::size_t held_numbers = std::size_t{1} << 23;  // where nodes are missing: 64 MB
 constexpr int local_halvings = 3;   // of the present strips, where not all can be so fine
 
 std::vector<double> equal_strips(Interval range, int strips) {
@@ -70,12 +71,16 @@ bool Lattice::refit() {
     if (nested_ && (nested_->go_to(x_breaks_, y_breaks_) || go_to_finer_strips())) {
         misfit_ = nested_->misfit();
         misfit_.delta2 /= unit_ * unit_;
+    } else if (masked_ && go_to_masked()) {
+        set_axes();
+        solution_ = masked_->solution(*x_, *y_);
+        misfit_ = masked_->misfit(*x_, *y_, solution_->coefficients);
+        misfit_.delta2 /= unit_ * unit_;
     } else if (nodes_->stored) {
         return false;
     } else {
         nested_.reset();
-        if (!x_) x_ = std::make_unique<Axis>(axis_over(x_breaks_, Way::x));
-        if (!y_) y_ = std::make_unique<Axis>(axis_over(y_breaks_, Way::y));
+        set_axes();
         solution_ = solve(*nodes_, *x_, *y_, Corrected::no);
         misfit_ = surface_fitting::misfit(*nodes_, *x_, *y_, solution_->coefficients, rule_);
     }
@@ -83,8 +88,17 @@ bool Lattice::refit() {
     return true;
 }
 
+void Lattice::set_axes() {
+    if (!x_) x_ = std::make_unique<Axis>(axis_over(x_breaks_, Way::x));
+    if (!y_) y_ = std::make_unique<Axis>(axis_over(y_breaks_, Way::y));
+}
+
 void Lattice::expect_splits(Residuals residuals) {
-    if (!nodes_ || !nodes_->is_full()) return;
+    if (!nodes_) return;
+    if (!nodes_->is_full()) {
+        if (residuals == Residuals::sums) expect_masked_splits();
+        return;
+    }
     const bool is_determined_now = is_determined(basis_over(x_breaks_, degree_), used_x_) &&
                                    is_determined(basis_over(y_breaks_, degree_), used_y_);
     if (nodes_->stored && !is_determined_now) {
@@ -104,6 +118,32 @@ void Lattice::expect_splits(Residuals residuals) {
     // Weights have the unit already where it was known before.
     if (nodes_->stored && !nodes_->sigma_known) unit_ = nodes_->stored->unit();
     if (space_) nested_ = Nested::over(*space_, degree_, rule_);
+}
+
+void Lattice::expect_masked_splits() {
+    const bool has_space = nodes_->count >= worth_compressing && rule_ == StripRule::projected &&
+                           degree_ > 0 && nodes_->is_mask_only();
+    if (!has_space) return;
+    halvings_ = usual_halvings;
+    while (!(masked_ = masked(halvings_)) && halvings_ > least_halvings) --halvings_;
+    if (nodes_->stored && !nodes_->sigma_known) unit_ = nodes_->stored->unit();
+}
+
+std::unique_ptr<MaskedSpace> Lattice::masked(int halvings) const {
+    const std::vector<double> x = halved({domain_.x.lo, domain_.x.hi}, halvings);
+    const std::vector<double> y = halved({domain_.y.lo, domain_.y.hi}, halvings);
+    const std::size_t kept = x.size() * nodes_->y.size() + y.size() * nodes_->x.size();
+    const std::size_t numbers = kept * (static_cast<std::size_t>(degree_) + 2);
+    const bool is_small = numbers <= nodes_->count || (nodes_->stored && numbers <= held_numbers);
+    return is_small ? MaskedSpace::over(*nodes_, degree_, x, y) : nullptr;
+}
+
+bool Lattice::go_to_masked() {
+    while (!masked_->has_breaks(x_breaks_, y_breaks_)) {
+        masked_ = masked(++halvings_);
+        if (!masked_) return false;
+    }
+    return true;
 }
 
 bool Lattice::fits(const std::vector<double>& x_breaks, const std::vector<double>& y_breaks) const {
@@ -150,10 +190,18 @@ bool Lattice::go_to_finer_strips() {
 std::optional<Lattice::Fit> Lattice::known_fit(const std::vector<double>& x_breaks,
                                                const std::vector<double>& y_breaks) const {
     if (cloud_) return std::nullopt;
-    if (solution_ && x_breaks == x_breaks_ && y_breaks == y_breaks_) {
-        if (!is_harmless(*x_, *y_)) return std::nullopt;
+    const bool is_present = solution_ && x_breaks == x_breaks_ && y_breaks == y_breaks_;
+    if (is_present && (!nodes_->is_full() || is_harmless(*x_, *y_))) {
         return Fit{*x_, *y_, *solution_, misfit_};
     }
+    if (masked_ && masked_->has_breaks(x_breaks, y_breaks)) {
+        Axis x = axis_over(x_breaks, Way::x), y = axis_over(y_breaks, Way::y);
+        Solution solution = masked_->solution(x, y);
+        Fit fit{std::move(x), std::move(y), std::move(solution), {}};
+        fit.misfit.psi_is_missing = true;
+        return fit;
+    }
+    if (is_present) return std::nullopt;
     const auto has_all = [&](const std::vector<double>& breaks, Way way) {
         return std::all_of(breaks.begin(), breaks.end(),
                            [&](double t) { return space_->has_break(way, t); });
@@ -183,6 +231,7 @@ bool Lattice::can_split(Strip strip) const {
         space_->has_break(strip.is_x ? Way::x : Way::y, middle)) {
         return true;  // the nodes determine all splines with its breaks
     }
+    if (masked_ && masked_->has_break(strip.is_x ? Way::x : Way::y, middle)) return true;
     std::vector<double> finer = breaks;
     finer.insert(finer.begin() + static_cast<std::ptrdiff_t>(strip.index) + 1, middle);
     return is_determined(basis_over(finer, degree_), strip.is_x ? used_x_ : used_y_);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "make/fit_surface/cloud.hpp"
+#include "make/fit_surface/masked_space.hpp"
 #include "make/fit_surface/nested.hpp"
 #include "make/fit_surface/solve.hpp"
 
@@ -69,6 +70,10 @@ private:
     std::unique_ptr<SearchSpace> locally_finer_space() const;
     bool fits(const std::vector<double>& x_breaks, const std::vector<double>& y_breaks) const;
     bool go_to_finer_strips();
+    void expect_masked_splits();
+    std::unique_ptr<MaskedSpace> masked(int halvings) const;
+    bool go_to_masked();
+    void set_axes();
     bool can_split(Strip strip) const;
     double measure(Strip s) const {
         return s.is_x ? misfit_.x_strips[s.index] : misfit_.y_strips[s.index];
@@ -90,6 +95,7 @@ private:
     std::unique_ptr<SearchSpace> space_;
     int halvings_ = 0;  ///< of all strips, that gave the space's; 0: strips differ
     std::unique_ptr<Nested> nested_;
+    std::unique_ptr<MaskedSpace> masked_;  ///< where nodes are missing
 };
 
 }  // namespace batten::surface_fitting

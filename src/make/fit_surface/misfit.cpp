@@ -46,18 +46,11 @@ public:
             }
             const double share = rule_ == StripRule::projected ? static_cast<double>(width)
                                                                : y_counts_[s];
-            result.y_strips[strip_of(y_, nodes_.y[s])] += share > 0 ? sum / share : 0;
+            result.y_strips[strip_of(y_.basis(), nodes_.y[s])] += share > 0 ? sum / share : 0;
         }
     }
 
 private:
-    static std::size_t strip_of(const Axis& axis, double t) {
-        const std::span<const double> breaks = axis.basis().breaks();
-        const auto inside = breaks.subspan(1, breaks.size() - 2);
-        return static_cast<std::size_t>(std::upper_bound(inside.begin(), inside.end(), t) -
-                                        inside.begin());
-    }
-
     void add_projected(num::PlaceRange rows, std::span<const double> e) {
         const std::size_t q = y_.functions();
         along_.assign(rows.count() * q, 0.0);
@@ -66,7 +59,7 @@ private:
         for (std::size_t r = rows.first; r < rows.last; ++r) {
             const double sum =
                 num::sum_of_squares(std::span(along_).subspan((r - rows.first) * q, q));
-            x_part_[strip_of(x_, nodes_.x[r])] += sum / static_cast<double>(q);
+            x_part_[strip_of(x_.basis(), nodes_.x[r])] += sum / static_cast<double>(q);
         }
     }
 
@@ -83,7 +76,7 @@ private:
         }
         const double sum = num::dot(e, ones_);
         num::add_times(1, e, y_sums_);
-        if (count > 0) x_part_[strip_of(x_, nodes_.x[r])] += sum * sum / count;
+        if (count > 0) x_part_[strip_of(x_.basis(), nodes_.x[r])] += sum * sum / count;
     }
 
     const Nodes& nodes_;

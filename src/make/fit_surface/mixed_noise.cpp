@@ -18,29 +18,6 @@ std::array<double, 3> second_difference(std::span<const double> t, std::size_t m
     return {-left / norm, 1 / norm, -right / norm};
 }
 
-double noise_around_holes(const SurfaceSamples& given) {
-    double sum_sq = 0;
-    std::size_t count = 0;
-    for (std::size_t r = 1; r + 1 < given.x.size(); ++r) {
-        const std::array<double, 3> a = second_difference(given.x, r);
-        for (std::size_t s = 1; s + 1 < given.y.size(); ++s) {
-            const std::array<double, 3> b = second_difference(given.y, s);
-            double value = 0;
-            bool is_whole = true;
-            for (std::size_t i = 0; i < 3; ++i) {
-                for (std::size_t j = 0; j < 3; ++j) {
-                    is_whole = is_whole && given.z.has(r + i - 1, s + j - 1);
-                    value += a[i] * b[j] * given.z(r + i - 1, s + j - 1);
-                }
-            }
-            if (!is_whole) continue;
-            sum_sq += value * value;
-            ++count;
-        }
-    }
-    return count == 0 ? 0 : std::sqrt(sum_sq / static_cast<double>(count));
-}
-
 }  // namespace
 
 MixedNoise::MixedNoise(std::span<const double> y) : across_(y.size()) {
@@ -55,8 +32,17 @@ void MixedNoise::add(std::span<const double> x, std::span<const double> rows) {
         const std::array<double, 3>& b = columns_[s];
         values_[s] = b[0] * across_[s] + b[1] * across_[s + 1] + b[2] * across_[s + 2];
     }
-    sum_sq_ += num::sum_of_squares(values_);
-    count_ += values_.size();
+    const double sum_sq = num::sum_of_squares(values_);
+    if (!std::isnan(sum_sq)) {
+        sum_sq_ += sum_sq;
+        count_ += values_.size();
+        return;
+    }
+    for (const double value : values_) {
+        if (std::isnan(value)) continue;
+        sum_sq_ += value * value;
+        ++count_;
+    }
 }
 
 double MixedNoise::sigma() const {
@@ -84,11 +70,20 @@ double unavoidable_delta2(std::size_t count, double accuracy, double largest, do
 }
 
 double mixed_noise(const SurfaceSamples& given) {
-    if (given.z.has_mask()) return noise_around_holes(given);
-    MixedNoise noise(given.y);
-    const std::size_t columns = given.y.size();
-    for (std::size_t r = 0; r + 2 < given.x.size(); ++r) {
-        noise.add(given.x.subspan(r, 3), given.z.values().subspan(r * columns, 3 * columns));
+    MixedNoiseOfRows noise(given.y);
+    std::vector<double> row;
+    for (std::size_t r = 0; r < given.x.size(); ++r) {
+        const std::span<const double> z =
+            given.z.values().subspan(r * given.y.size(), given.y.size());
+        if (!given.z.has_mask()) {
+            noise.add(given.x[r], z);
+            continue;
+        }
+        row.assign(z.begin(), z.end());
+        for (std::size_t s = 0; s < row.size(); ++s) {
+            if (!given.z.has(r, s)) row[s] = std::numeric_limits<double>::quiet_NaN();
+        }
+        noise.add(given.x[r], row);
     }
     return noise.sigma();
 }

@@ -12,7 +12,8 @@
 /// Source: [Immerkaer1996], for uneven grids.
 namespace batten::surface_fitting {
 
-/// Of rows without holes, three at a time. Nothing of fewer than three columns.
+/// Of rows, three at a time, from where all nine nodes of a difference are there (missing ones are
+/// NaN). Nothing of fewer than three columns.
 class MixedNoise {
 public:
     explicit MixedNoise(std::span<const double> y);
@@ -53,7 +54,7 @@ constexpr double iterated_accuracy = 1e-11;
 /// The delta2 of so many samples that is no misfit but what their solution leaves.
 double unavoidable_delta2(std::size_t count, double accuracy, double largest, double sigma);
 
-/// Of a grid, from where all nine nodes of a difference are there.
+/// Of a grid.
 double mixed_noise(const SurfaceSamples& given);
 
 }  // namespace batten::surface_fitting

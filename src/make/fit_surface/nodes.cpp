@@ -113,8 +113,31 @@ void require_finite_heights(const Nodes& nodes) {
     require_finite_heights(nodes.z, nodes.y.size());
 }
 
-std::vector<double> Nodes::used_x() const { return used(*this, true); }
-std::vector<double> Nodes::used_y() const { return used(*this, false); }
+bool Nodes::is_mask_only() const {
+    return std::all_of(cell_factor_sq.begin(), cell_factor_sq.end(),
+                       [](double f) { return f == 0 || f == 1; });
+}
+
+void Nodes::for_masked_rows(const TakeMaskedRows& take) const {
+    if (!stored) return take({0, z, cell_factor_sq});
+    std::vector<double> heights, factors;
+    stored->read([&](std::size_t first, std::span<const double> rows) {
+        heights.assign(rows.begin(), rows.end());
+        factors.assign(rows.size(), 1.0);
+        for (std::size_t k = 0; k < heights.size(); ++k) {
+            if (std::isnan(heights[k])) heights[k] = factors[k] = 0;
+        }
+        take({first, heights, factors});
+    });
+}
+
+std::vector<double> Nodes::used_x() const {
+    return stored && !is_full() ? stored->used_x() : used(*this, true);
+}
+
+std::vector<double> Nodes::used_y() const {
+    return stored && !is_full() ? stored->used_y() : used(*this, false);
+}
 
 Nodes prepared_nodes(const SurfaceSamples& given, const FitSurfaceOptions& options) {
     require_axis(given.x, given.z.nu(), "x");

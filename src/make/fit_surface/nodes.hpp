@@ -11,6 +11,15 @@ namespace batten::surface_fitting {
 /// Takes whole rows that follow each other, from row `first` on.
 using TakeRows = std::function<void(std::size_t first, std::span<const double> z)>;
 
+/// Whole rows of which nodes are missing or have errors of their own: the weight of a node is the
+/// root of its factor times those of its row and column.
+struct MaskedRows {
+    std::size_t first = 0;
+    std::span<const double> z;          ///< 0 where missing
+    std::span<const double> factor_sq;  ///< 0 where missing
+};
+using TakeMaskedRows = std::function<void(const MaskedRows& rows)>;
+
 /// Heights that are not held but read, as often as they are needed.
 class StoredHeights {
 public:
@@ -19,6 +28,9 @@ public:
     virtual void read(const TakeRows& take) = 0;
     /// What all errors are to be times, known once the rows have been read.
     virtual double unit() const = 0;
+    /// Whether any node of row r (column s) is there, where nodes are missing.
+    virtual std::vector<double> used_x() const = 0;
+    virtual std::vector<double> used_y() const = 0;
 };
 
 /// What a surface fit works on: heights on a grid and their weights, 1 / sigma.
@@ -36,8 +48,12 @@ struct Nodes {
     double least_delta2 = 0;                   ///< what rounding leaves, where errors are estimated
     std::vector<double> filled;                ///< owns z where nodes are missing
 
-    bool is_full() const { return cell_factor_sq.empty(); }
+    bool is_full() const { return cell_factor_sq.empty() && missing == 0; }
+    /// Whether each node either is missing or has the errors of its row and column.
+    bool is_mask_only() const;
     void for_rows(const TakeRows& take) const { stored ? stored->read(take) : take(0, z); }
+    /// Of nodes that are not full.
+    void for_masked_rows(const TakeMaskedRows& take) const;
     /// Whether any node of row r (column s) counts.
     std::vector<double> used_x() const;
     std::vector<double> used_y() const;

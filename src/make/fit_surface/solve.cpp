@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "make/fit_surface/masked_normals.hpp"
 #include "make/fit_surface/mixed_noise.hpp"
 #include "num/tensor.hpp"
 
@@ -79,17 +80,45 @@ void add_times(std::vector<double>& to, double factor, const std::vector<double>
     for (std::size_t i = 0; i < to.size(); ++i) to[i] += factor * what[i];
 }
 
-Solution conjugate_gradients(const Passes& passes, const Axis& x, const Axis& y) {
+/// Where the matrix is smaller than the grid, steps need not see the nodes.
+bool is_worth_a_matrix(const Nodes& nodes, const Axis& x, const Axis& y) {
+    const std::size_t entries = static_cast<std::size_t>(x.plain().order * y.plain().order);
+    return x.functions() * y.functions() * entries <= nodes.z.size();
+}
+
+Solution solve_masked(const Nodes& nodes, const Axis& x, const Axis& y) {
+    if (is_worth_a_matrix(nodes, x, y)) {
+        MaskedNormals normals(x, y);
+        normals.add({0, nodes.z, nodes.cell_factor_sq});
+        return conjugate_gradients(
+            normals.products(), [&](const std::vector<double>& c) { return normals.times(c); }, x,
+            y);
+    }
+    const Passes passes(nodes, x, y);
+    return conjugate_gradients(
+        passes.gradient(nullptr),
+        [&](const std::vector<double>& c) { return passes.normal_times(c); }, x, y);
+}
+
+}  // namespace
+
+std::vector<double> inverted(std::vector<double> g, const Axis& x, const Axis& y) {
+    x.invert_rows(g, y.functions());
+    y.invert_columns(g);
+    return g;
+}
+
+Solution conjugate_gradients(std::vector<double> rest, const NormalMatrix& matrix, const Axis& x,
+                             const Axis& y, int steps) {
     Solution result;
     std::vector<double>& c = result.coefficients;
-    std::vector<double> rest = passes.gradient(nullptr);
     std::vector<double> direction = inverted(rest, x, y);
     c.assign(rest.size(), 0.0);
     double energy = dot_of(rest, direction);
     const double target = small_enough * small_enough * energy;
-    const int most = 100 + 10 * static_cast<int>(c.size());
+    const int most = steps > 0 ? steps : 100 + 10 * static_cast<int>(c.size());
     while (energy > target && result.iterations < most) {
-        const std::vector<double> image = passes.normal_times(direction);
+        const std::vector<double> image = matrix(direction);
         const double curvature = dot_of(direction, image);
         if (!(curvature > 0)) break;
         const double step = energy / curvature;
@@ -106,20 +135,12 @@ Solution conjugate_gradients(const Passes& passes, const Axis& x, const Axis& y)
     return result;
 }
 
-}  // namespace
-
-std::vector<double> inverted(std::vector<double> g, const Axis& x, const Axis& y) {
-    x.invert_rows(g, y.functions());
-    y.invert_columns(g);
-    return g;
-}
-
 bool is_harmless(const Axis& x, const Axis& y) {
     return x.spread() * y.spread() <= harmless_spread;
 }
 
 Solution solve(const Nodes& nodes, const Axis& x, const Axis& y, Corrected corrected) {
-    if (!nodes.is_full()) return conjugate_gradients(Passes(nodes, x, y), x, y);
+    if (!nodes.is_full()) return solve_masked(nodes, x, y);
     std::vector<double> products(x.functions() * y.functions(), 0.0);
     num::Tensor(x.normal(), y.normal(), num::Tensor::Use::products)
         .contract(nodes.z, {0, nodes.x.size()}, products);
@@ -144,8 +165,7 @@ std::vector<double> residuals(const Nodes& nodes, const Axis& x, const Axis& y,
 
 std::vector<std::array<int, 2>> open_coefficients(const Nodes& nodes, const Axis& x,
                                                   const Axis& y) {
-    std::vector<std::array<int, 2>> open;
-    if (nodes.is_full() && x.open().empty() && y.open().empty()) return open;
+    if (nodes.is_full() && x.open().empty() && y.open().empty()) return {};
     std::vector<double> present(x.functions() * y.functions(), 1.0);
     if (!nodes.is_full()) {
         // The columns' square sums, found like a right-hand side from the squares of the splines.
@@ -155,6 +175,12 @@ std::vector<std::array<int, 2>> open_coefficients(const Nodes& nodes, const Axis
         std::fill(present.begin(), present.end(), 0.0);
         num::Tensor(a, b).contract(nodes.cell_factor_sq, {0, nodes.x.size()}, present);
     }
+    return open_coefficients(present, x, y);
+}
+
+std::vector<std::array<int, 2>> open_coefficients(const std::vector<double>& present, const Axis& x,
+                                                  const Axis& y) {
+    std::vector<std::array<int, 2>> open;
     const double largest = *std::max_element(present.begin(), present.end());
     constexpr double nothing = 1e-20;  // a column norm of 1e-10 of the largest
     const auto is_in = [](const std::vector<int>& list, std::size_t i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "batten/make/fit_statistics.hpp"
@@ -22,6 +23,13 @@ struct Solution {
 /// Source: corrected seminormal equations [Bjorck1987]; [HestenesStiefel1952].
 enum class Corrected { no, where_needed };
 Solution solve(const Nodes& nodes, const Axis& x, const Axis& y, Corrected corrected);
+
+/// c -> A^T W A c.
+using NormalMatrix = std::function<std::vector<double>(const std::vector<double>& c)>;
+/// Conjugate gradients on A^T W A c = g, preconditioned by the full grid's inverse, until the
+/// energy norm has fallen by `iterated_accuracy`, or so many steps are made (0: as it takes).
+Solution conjugate_gradients(std::vector<double> g, const NormalMatrix& matrix, const Axis& x,
+                             const Axis& y, int steps = 0);
 
 /// Whether the solution of a full grid needs no correction.
 bool is_harmless(const Axis& x, const Axis& y);
@@ -48,5 +56,8 @@ std::vector<double> residuals(const Nodes& nodes, const Axis& x, const Axis& y,
 
 /// Coefficients in whose support no node counts, as i, j.
 std::vector<std::array<int, 2>> open_coefficients(const Nodes& nodes, const Axis& x, const Axis& y);
+/// The same from the square sums of their splines at the nodes.
+std::vector<std::array<int, 2>> open_coefficients(const std::vector<double>& present, const Axis& x,
+                                                  const Axis& y);
 
 }  // namespace batten::surface_fitting

@@ -1,7 +1,9 @@
 #include "make/fit_surface/stored_grid.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "batten/base/error.hpp"
 #include "make/fit_surface/chunk_rows.hpp"
 #include "make/fit_surface/grid_lines.hpp"
 
@@ -40,7 +42,7 @@ void StoredGrid::read(const TakeRows& take) {
         const std::size_t count = std::min(at_once, rows - first);
         const std::span<double> block(z.data(), count * columns);
         stream_.read(first, block);
-        require_finite_rows(block, columns, first);
+        if (has_holes(block, columns, first) && !expects_holes_) throw HolesFound{};
         for (std::size_t r = 0; r < count && is_first_ && is_estimated(); ++r) {
             noise_.add(stream_.x[first + r], block.subspan(r * columns, columns));
         }
@@ -49,6 +51,31 @@ void StoredGrid::read(const TakeRows& take) {
     }
     is_first_ = false;
     done_ = end;
+}
+
+void StoredGrid::count_holes() {
+    const std::size_t columns = stream_.y.size();
+    expects_holes_ = is_first_ = true;
+    noise_ = MixedNoiseOfRows(stream_.y);
+    std::vector<bool> is_used(columns);
+    read([&](std::size_t first, std::span<const double> z) {
+        for (std::size_t at = 0; at < z.size(); at += columns) {
+            std::size_t here = 0;
+            for (std::size_t s = 0; s < columns; ++s) {
+                if (std::isnan(z[at + s])) continue;
+                ++here;
+                is_used[s] = true;
+            }
+            missing_ += columns - here;
+            if (here > 0) used_x_.push_back(stream_.x[first + at / columns]);
+        }
+    });
+    for (std::size_t s = 0; s < columns; ++s) {
+        if (is_used[s]) used_y_.push_back(stream_.y[s]);
+    }
+    if (used_x_.empty()) {
+        throw Error("fit.too-few", "grid", "0 nodes", "at least one node must have a height");
+    }
 }
 
 double StoredGrid::unit() const {
@@ -64,7 +91,8 @@ Nodes StoredGrid::nodes() {
     nodes.stored = this;
     nodes.x_weight = weights_of(stream_.x_sigma, stream_.x.size());
     nodes.y_weight = weights_of(stream_.y_sigma, stream_.y.size());
-    nodes.count = stream_.x.size() * stream_.y.size();
+    nodes.missing = missing_;
+    nodes.count = stream_.x.size() * stream_.y.size() - missing_;
     nodes.sigma_known = !is_estimated();
     return nodes;
 }

@@ -6,6 +6,7 @@
 #include "make/fit_surface/choice.hpp"
 #include "make/fit_surface/compressed.hpp"
 #include "make/fit_surface/filled_report.hpp"
+#include "make/fit_surface/masked_normals.hpp"
 #include "make/fit_surface/shape_of_surface.hpp"
 #include "make/fit_surface/stored_grid.hpp"
 
@@ -51,14 +52,15 @@ void require_streamed_search(const FitSurfaceOptions& options) {
 SurfaceFit held_fit(const SurfaceStream& stream, StoredGrid& grid,
                     const FitSurfaceOptions& options) {
     const std::size_t rows = stream.x.size(), columns = stream.y.size();
-    std::vector<double> z(rows * columns);
+    Grid z(rows, columns);
     grid.read([&](std::size_t first, std::span<const double> block) {
-        std::copy(block.begin(), block.end(),
-                  z.begin() + static_cast<std::ptrdiff_t>(first * columns));
+        for (std::size_t k = 0; k < block.size(); ++k) {
+            const std::size_t r = first + k / columns, s = k % columns;
+            if (std::isnan(block[k])) z.drop(r, s);
+            else z(r, s) = block[k];
+        }
     });
-    return fit_surface({stream.x, stream.y, GridView(z.data(), rows, columns, 1), stream.x_sigma,
-                        stream.y_sigma},
-                       options);
+    return fit_surface({stream.x, stream.y, z, stream.x_sigma, stream.y_sigma}, options);
 }
 
 /// The fit of a search that knows its coefficients.
@@ -83,6 +85,33 @@ SurfaceFit read_fit(const SurfaceChoice& choice, StoredGrid& grid, const Surface
     return chunk.solve();
 }
 
+/// The same where nodes are missing.
+SurfaceFit masked_fit(const SurfaceChoice& choice, const Nodes& nodes,
+                      const FitSurfaceOptions& options) {
+    const Axis x(BSplineBasis(choice.x_knots, options.degree), nodes.x, nodes.x_weight,
+                 nodes.used_x());
+    const Axis y(BSplineBasis(choice.y_knots, options.degree), nodes.y, nodes.y_weight,
+                 nodes.used_y());
+    const std::size_t parameters = x.functions() * y.functions();
+    if (nodes.count < parameters) {
+        throw Error("fit.too-few", "grid", std::to_string(nodes.count) + " nodes",
+                    std::to_string(parameters) + " coefficients need at least as many");
+    }
+    MaskedNormals normals(x, y);
+    nodes.for_masked_rows([&](const MaskedRows& rows) { normals.add(rows); });
+    Solution solution = conjugate_gradients(
+        normals.products(), [&](const std::vector<double>& c) { return normals.times(c); }, x, y);
+    SurfaceFit fit{SplineSurface(x.basis(), y.basis(), std::move(solution.coefficients)), {}};
+    FitSurfaceReport& report = fit.report;
+    fill_lines(report, fit.surface);
+    report.parameters_charged = report.parameters;
+    report.iterations = solution.iterations;
+    report.undetermined = open_coefficients(normals.diagonal(), x, y);
+    if (!solution.is_converged) report.status = Status::not_converged;
+    if (!report.undetermined.empty()) report.status = Status::rank_deficient;
+    return fit;
+}
+
 void measure(SurfaceFit& fit, StoredGrid& grid, const SurfaceColumns& columns) {
     if (!grid.has_own_errors()) {
         fit.report.sigma = grid.unit();
@@ -99,11 +128,8 @@ void measure(SurfaceFit& fit, StoredGrid& grid, const SurfaceColumns& columns) {
     residuals.fill(fit.report);
 }
 
-}  // namespace
-
-SurfaceFit fit_surface(const SurfaceStream& stream, const FitSurfaceOptions& options,
-                       const Progress& progress) {
-    StoredGrid grid(stream, options.sigma, progress);
+SurfaceFit fit_stored(const SurfaceStream& stream, StoredGrid& grid,
+                      const FitSurfaceOptions& options) {
     Nodes nodes = grid.nodes();
     const bool searches = !has_fixed_lines(options);
     if (searches && nodes.count < worth_compressing) return held_fit(stream, grid, options);
@@ -114,15 +140,36 @@ SurfaceFit fit_surface(const SurfaceStream& stream, const FitSurfaceOptions& opt
     SurfaceChoice choice = choose_lines(nodes, options);
     const SurfaceColumns columns{{stream.y.begin(), stream.y.end()},
                                  {stream.y_sigma.begin(), stream.y_sigma.end()}};
-    SurfaceFit fit = choice.solution ? known_fit(choice) : read_fit(choice, grid, columns, options);
+    SurfaceFit fit = !nodes.is_full()  ? masked_fit(choice, nodes, options)
+                     : choice.solution ? known_fit(choice)
+                                       : read_fit(choice, grid, columns, options);
     measure(fit, grid, columns);
     fit.report.separability = separability(fit.surface, stream.x, stream.y);
     fit.report.oscillation = oscillation(fit.surface, stream.x, stream.y);
     fit.report.path = std::move(choice.path);
     fit.report.notes = std::move(choice.notes);
     if (fit.report.status == Status::met && !choice.is_met) fit.report.status = Status::not_met;
-    progress.at(1, 1);
+    if (!fit.report.undetermined.empty()) fit.report.notes.push_back(note_of_holes);
+    note_what_is_badly_fitted(fit.report);
     return fit;
+}
+
+}  // namespace
+
+SurfaceFit fit_surface(const SurfaceStream& stream, const FitSurfaceOptions& options,
+                       const Progress& progress) {
+    StoredGrid grid(stream, options.sigma, progress);
+    const auto fit = [&] {
+        SurfaceFit made = fit_stored(stream, grid, options);
+        progress.at(1, 1);
+        return made;
+    };
+    try {
+        return fit();
+    } catch (const HolesFound&) {
+        grid.count_holes();
+        return fit();
+    }
 }
 
 }  // namespace batten

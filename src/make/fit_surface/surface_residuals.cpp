@@ -11,6 +11,25 @@ namespace batten {
 
 using namespace surface_fitting;
 
+namespace {
+
+void take_heights(Nodes& nodes, std::span<const double> z) {
+    nodes.z = z;
+    if (has_holes(z, nodes.y.size())) {
+        nodes.filled.assign(z.begin(), z.end());
+        nodes.cell_factor_sq.assign(z.size(), 1.0);
+        for (std::size_t k = 0; k < z.size(); ++k) {
+            if (!std::isnan(z[k])) continue;
+            nodes.filled[k] = nodes.cell_factor_sq[k] = 0;
+            ++nodes.missing;
+        }
+        nodes.z = nodes.filled;
+    }
+    nodes.count = z.size() - nodes.missing;
+}
+
+}  // namespace
+
 struct SurfaceResiduals::Frame {
     SplineSurface surface;
     SurfaceColumns columns;
@@ -31,11 +50,10 @@ void SurfaceResiduals::add(const SurfaceRows& rows, double sigma) {
     Nodes nodes;
     nodes.x = rows.x;
     nodes.y = frame_->columns.y;
-    nodes.z = rows.z;
+    take_heights(nodes, rows.z);
     nodes.x_weight = weights_of(rows.x_sigma, rows.x.size());
     for (double& weight : nodes.x_weight) weight /= sigma;
     nodes.y_weight = frame_->y_weight;
-    nodes.count = rows.z.size();
     const Axis x(frame_->surface.x_basis(), rows.x, nodes.x_weight, rows.x);
     const std::span<const double> c = frame_->surface.coefficients();
     const Misfit part = misfit(nodes, x, frame_->y, {c.begin(), c.end()}, std::nullopt);
@@ -45,6 +63,7 @@ void SurfaceResiduals::add(const SurfaceRows& rows, double sigma) {
         within_[w] += std::round(part.psi[w] * static_cast<double>(nodes.count));
     }
     samples_ += nodes.count;
+    missing_ += nodes.missing;
 }
 
 void SurfaceResiduals::merge(const SurfaceResiduals& other) {
@@ -52,6 +71,7 @@ void SurfaceResiduals::merge(const SurfaceResiduals& other) {
     largest_ = std::max(largest_, other.largest_);
     for (std::size_t w = 0; w < within_.size(); ++w) within_[w] += other.within_[w];
     samples_ += other.samples_;
+    missing_ += other.missing_;
 }
 
 void SurfaceResiduals::fill(FitSurfaceReport& report) const {
@@ -63,7 +83,7 @@ void SurfaceResiduals::fill(FitSurfaceReport& report) const {
     }
     report.chi2_p.reset();
     fill_criteria(report, all,
-                  {samples_, 0, report.sigma_source != SigmaSource::estimated, report.sigma_source,
+                  {samples_, missing_, report.sigma_source != SigmaSource::estimated, report.sigma_source,
                    report.sigma});
     require_finite_solution({}, delta2_);
 }
