@@ -6,6 +6,7 @@
 
 #include "make/fit/whitney.hpp"
 #include "num/clones.hpp"
+#include "num/rows.hpp"
 #include "shape/surface/sides.hpp"
 
 namespace batten::surface_fitting {
@@ -15,6 +16,15 @@ namespace {
 constexpr double faint = 0x1p-20;
 /// Rows turned to columns at a time.
 constexpr std::size_t rows_turned = 32;
+/// Of the triangle's diagonal: from here on the products of the splines lose half of all digits.
+constexpr double delicate_spread = 1e4;
+/// The least singular value, columns of length 1, that is more than rounding of heights.
+constexpr double least_singular = 1e-9;
+constexpr int rounds_of_inverse = 3;
+/// Of the largest coefficient of what is not seen: what is listed.
+constexpr double part_of_unseen = 0.1;
+/// Right-hand sides reduced at a time.
+constexpr std::size_t columns_fitted = 8;
 
 num::TensorSide times(const num::TensorSide& side, std::span<const double> weights) {
     num::TensorSide result = side;
@@ -42,18 +52,33 @@ std::vector<double> difference_row(int order, double scale) {
     return row;
 }
 
-num::BandedQr triangle_of(const num::TensorSide& side) {
-    num::BandedQr qr({side.order, static_cast<int>(side.functions), 0, 0});
+/// Some columns of a matrix with a row for every line, to be times the line's weight.
+struct Columns {
+    const double* matrix = nullptr;
+    std::size_t stride = 0;
+    int count = 0;
+    std::span<const double> weights = {};
+
+    void append(std::size_t line, std::vector<double>& row) const {
+        for (int k = 0; k < count; ++k) {
+            row.push_back(weights[line] * matrix[line * stride + static_cast<std::size_t>(k)]);
+        }
+    }
+};
+
+num::BandedQr triangle_of(const num::TensorSide& side, const Columns& columns) {
+    num::BandedQr qr({side.order, static_cast<int>(side.functions), 0, columns.count});
     const std::size_t order = static_cast<std::size_t>(side.order);
     std::vector<double> rows;
     for (std::size_t r = 0; r < side.places();) {
         const std::size_t first = side.first[r];
+        int count = 0;
         rows.clear();
-        for (; r < side.places() && side.first[r] == first; ++r) {
+        for (; r < side.places() && side.first[r] == first; ++r, ++count) {
             rows.insert(rows.end(), side.at(r), side.at(r) + order);
+            columns.append(r, rows);
         }
-        qr.absorb(static_cast<int>(first), rows.data(),
-                  static_cast<int>(rows.size() / order));
+        qr.absorb(static_cast<int>(first), rows.data(), count);
     }
     qr.finish();
     return qr;
@@ -89,25 +114,33 @@ BATTEN_CLONES void eliminate(const Elimination& e, const double* others) {
     for (std::size_t k = 0; k < width; ++k) row[k] *= e.scale;
 }
 
-/// The triangle with faint differences between neighbouring coefficients.
-num::BandedQr regular_triangle_of(const num::TensorSide& side) {
-    const int functions = static_cast<int>(side.functions);
-    const int width = std::min(side.order + 1, functions);
-    num::BandedQr qr({width, functions, 0, 0});
+/// The row of faint differences that makes the triangle of a side regular.
+std::vector<double> faint_row(const num::TensorSide& side) {
+    const int width = std::min(side.order + 1, static_cast<int>(side.functions));
     double largest = 0;
     for (const double value : side.values) largest = std::max(largest, std::fabs(value));
-    const std::vector<double> difference = difference_row(width - 1, faint * largest);
-    std::vector<double> row(static_cast<std::size_t>(width));
+    return difference_row(width - 1, faint * largest);
+}
+
+/// The triangle with faint differences between neighbouring coefficients.
+num::BandedQr regular_triangle_of(const num::TensorSide& side, const Columns& columns) {
+    const int functions = static_cast<int>(side.functions);
+    const int width = std::min(side.order + 1, functions);
+    num::BandedQr qr({width, functions, 0, columns.count});
+    const std::vector<double> difference = faint_row(side);
+    std::vector<double> row;
     std::size_t r = 0;
     for (int first = 0; first + width <= functions; ++first) {
         const bool is_last = first + width == functions;
         for (; r < side.places() && (static_cast<int>(side.first[r]) <= first || is_last); ++r) {
-            std::fill(row.begin(), row.end(), 0.0);
+            row.assign(static_cast<std::size_t>(width), 0.0);
             std::copy_n(side.at(r), side.order,
                         row.begin() + (static_cast<int>(side.first[r]) - first));
+            columns.append(r, row);
             qr.absorb(first, row.data(), 1);
         }
-        std::copy(difference.begin(), difference.end(), row.begin());
+        row = difference;
+        row.resize(static_cast<std::size_t>(width + columns.count), 0.0);
         qr.absorb(first, row.data(), 1);
     }
     qr.finish();
@@ -133,16 +166,67 @@ bool is_determined(const BSplineBasis& basis, std::span<const double> used) {
 
 Axis::Axis(BSplineBasis basis, std::span<const double> lines, std::span<const double> weights,
            std::span<const double> used)
-    : basis_(std::move(basis)), plain_(surfaces::side_of(basis_, lines)) {
+    : basis_(std::move(basis)), plain_(surfaces::side_of(basis_, lines)),
+      weights_(weights.begin(), weights.end()) {
     if (std::any_of(weights.begin(), weights.end(), [](double w) { return w != 1; })) {
         weighted_ = times(plain_, weights);
         normal_ = times(*weighted_, weights);
     }
     open_ = fitting::undetermined_coefficients(lines_as_cells(basis_, used),
                                                static_cast<int>(basis_.size()));
-    const bool is_regular =
-        open_.empty() || is_determined(basis_, lines);
-    triangle_ = is_regular ? triangle_of(weighted()) : regular_triangle_of(weighted());
+    is_regular_ = open_.empty() || is_determined(basis_, lines);
+    if (is_regular_) {
+        triangle_ = triangle_of(weighted(), {});
+        take_unseen_for_open();
+    }
+    if (!is_regular_) triangle_ = regular_triangle_of(weighted(), {});
+}
+
+/// Lines that formally determine all splines may do so by rounding only: the combination of splines
+/// that they see least, by inverse iteration with columns of equal size.
+void Axis::take_unseen_for_open() {
+    const std::size_t n = functions();
+    std::vector<double> scale(n), v(n);
+    for (std::size_t j = 0; j < n; ++j) {
+        scale[j] = std::sqrt(triangle_.column_sq(static_cast<int>(j)));
+        v[j] = j % 3 == 1 ? -1 : 1;
+    }
+    double growth = 0;
+    for (int round = 0; round < rounds_of_inverse; ++round) {
+        const double norm = std::sqrt(num::sum_of_squares(v));
+        for (std::size_t j = 0; j < n; ++j) v[j] *= scale[j] / norm;
+        triangle_.solve_transposed(v);
+        triangle_.solve_for(v, v);
+        for (std::size_t j = 0; j < n; ++j) v[j] *= scale[j];
+        growth = std::sqrt(num::sum_of_squares(v));
+    }
+    if (growth * least_singular * least_singular < 1) return;
+    is_regular_ = false;
+    double largest = 0;
+    for (const double value : v) largest = std::max(largest, std::fabs(value));
+    for (std::size_t j = 0; j < n; ++j) {
+        const int open = static_cast<int>(j);
+        const auto at = std::lower_bound(open_.begin(), open_.end(), open);
+        const bool is_new = at == open_.end() || *at != open;
+        if (is_new && std::fabs(v[j]) > part_of_unseen * largest) open_.insert(at, open);
+    }
+}
+
+bool Axis::is_delicate() const { return spread() > delicate_spread; }
+
+std::vector<double> Axis::fitted(std::span<const double> values, std::size_t width) const {
+    std::vector<double> result(functions() * width), one(functions());
+    for (std::size_t k = 0; k < width; k += columns_fitted) {
+        const std::size_t count = std::min(columns_fitted, width - k);
+        const Columns columns{values.data() + k, width, static_cast<int>(count), weights_};
+        const num::BandedQr qr = is_regular_ ? triangle_of(weighted(), columns)
+                                             : regular_triangle_of(weighted(), columns);
+        for (std::size_t c = 0; c < count; ++c) {
+            qr.solve(static_cast<int>(c), one);
+            for (std::size_t j = 0; j < one.size(); ++j) result[j * width + k + c] = one[j];
+        }
+    }
+    return result;
 }
 
 double Axis::spread() const {
@@ -169,6 +253,25 @@ std::vector<double> Axis::times_triangle(std::span<const double> c) const {
 std::vector<double> Axis::solved(std::span<const double> c) const {
     std::vector<double> result(functions());
     triangle_.solve_for(c, result);
+    return result;
+}
+
+double Axis::mean_sq() const {
+    return num::sum_of_squares(weighted().values) / static_cast<double>(functions());
+}
+
+std::vector<double> Axis::faint_part(const std::vector<double>& matrix, std::size_t width) const {
+    std::vector<double> result(matrix.size(), 0.0);
+    if (is_regular_) return result;
+    const std::vector<double> row = faint_row(weighted());
+    std::vector<double> difference(width);
+    for (std::size_t first = 0; first + row.size() <= functions(); ++first) {
+        std::fill(difference.begin(), difference.end(), 0.0);
+        num::add_combination(row, std::span(matrix).subspan(first * width), difference);
+        for (std::size_t l = 0; l < row.size(); ++l) {
+            num::add_times(row[l], difference, std::span(result).subspan((first + l) * width, width));
+        }
+    }
     return result;
 }
 

@@ -2,25 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "make/fit_surface/axis.hpp"
 #include "num/cox_de_boor.hpp"
+#include "num/rows.hpp"
 
 namespace batten::surface_fitting {
 namespace {
 
 /// Of the largest diagonal: what smoothness weighs. Enough for a regular matrix; its pull on
-/// coefficients that the samples determine is taken out by the corrections.
+/// coefficients that the samples determine is taken out afterwards.
 constexpr double faint_weight = 0x1p-36;
-constexpr int most_corrections = 6;
+constexpr int most_corrections = 100;
+/// Of delta2: what the coefficients may still take from it.
+constexpr double small_energy = 1e-14;
 constexpr int parts_of_strip = 4;
 constexpr double nothing = 1e-20;      // of the largest diagonal
 constexpr double small_pivot = 1e-9;   // the same, after elimination
 
-std::size_t strip_at(std::span<const double> breaks, double at) {
-    const auto inside = breaks.subspan(1, breaks.size() - 2);
-    return static_cast<std::size_t>(std::upper_bound(inside.begin(), inside.end(), at) -
-                                    inside.begin());
+void add(double factor, const Eigen::VectorXd& what, std::vector<double>& to) {
+    for (std::size_t k = 0; k < to.size(); ++k) {
+        to[k] += factor * what[static_cast<Eigen::Index>(k)];
+    }
 }
 
 }  // namespace
@@ -44,36 +47,69 @@ CloudSystem::CloudSystem(const Cloud& cloud, const BSplineBasis& x, const BSplin
     gather();
 }
 
+/// Smoothness pulls on what few samples determine: conjugate gradients without it, from the smooth
+/// solution on and preconditioned by it, leave alone what no sample sees.
 CloudFit CloudSystem::solved() {
     CloudFit fit;
     factor_ = std::make_unique<Factor>(matrix());
-    fit.solution.coefficients.assign(p_ * q_, 0.0);
-    double before = std::numeric_limits<double>::infinity();
-    for (int round = 0; round <= most_corrections; ++round) {
-        const Eigen::VectorXd step = factor_->solve(gradient(fit.solution.coefficients));
-        const double size = step.norm();
-        if (!(size < 0.5 * before)) break;
-        for (std::size_t k = 0; k < p_ * q_; ++k) {
-            fit.solution.coefficients[k] += step[static_cast<Eigen::Index>(k)];
+    std::vector<double>& c = fit.solution.coefficients;
+    c.assign(p_ * q_, 0.0);
+    Eigen::VectorXd step = factor_->solve(gradient(weighted_residuals(c)));
+    add(1, step, c);
+    std::vector<double> e = weighted_residuals(c);
+    Eigen::VectorXd rest = gradient(e), direction = factor_->solve(rest);
+    double energy = rest.dot(direction);
+    fit.solution.is_converged = false;
+    for (int round = 1; round <= most_corrections; ++round) {
+        const double delta2 = num::sum_of_squares(e);
+        if (!(energy > small_energy * delta2)) {
+            fit.solution.is_converged = true;
+            break;
         }
+        const double curvature = num::sum_of_squares(weighted_values(direction));
+        if (!(curvature > 0)) break;
+        std::vector<double> next = c;
+        add(energy / curvature, direction, next);
+        std::vector<double> next_e = weighted_residuals(next);
+        if (!(num::sum_of_squares(next_e) < delta2)) {
+            fit.solution.is_converged = true;  // rounding is all that is left
+            break;
+        }
+        c = std::move(next);
+        e = std::move(next_e);
         fit.solution.iterations = round;
-        before = size;
+        rest = gradient(e);
+        step = factor_->solve(rest);
+        const double fresh = rest.dot(step);
+        direction = step + fresh / energy * direction;
+        energy = fresh;
     }
     find_open(fit, factor_->vectorD());
     return fit;
 }
 
+template <class Coefficients>
+double CloudSystem::height(std::size_t n, const Coefficients& c) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < x_.order; ++i) {
+        const double* const row = c.data() + (x_.first[n] + i) * q_ + y_.first[n];
+        double part = 0;
+        for (std::size_t j = 0; j < y_.order; ++j) part += row[j] * y_.at(n)[j];
+        sum += x_.at(n)[i] * part;
+    }
+    return sum;
+}
+
+std::vector<double> CloudSystem::weighted_values(const Eigen::VectorXd& c) const {
+    std::vector<double> values(cloud_.count());
+    for (std::size_t n = 0; n < values.size(); ++n) values[n] = cloud_.weight[n] * height(n, c);
+    return values;
+}
+
 std::vector<double> CloudSystem::weighted_residuals(const std::vector<double>& c) const {
     std::vector<double> e(cloud_.count());
     for (std::size_t n = 0; n < e.size(); ++n) {
-        double sum = 0;
-        for (std::size_t i = 0; i < x_.order; ++i) {
-            const double* const row = c.data() + (x_.first[n] + i) * q_ + y_.first[n];
-            double part = 0;
-            for (std::size_t j = 0; j < y_.order; ++j) part += row[j] * y_.at(n)[j];
-            sum += x_.at(n)[i] * part;
-        }
-        e[n] = cloud_.weight[n] * (cloud_.z[n] - sum);
+        e[n] = cloud_.weight[n] * (cloud_.z[n] - height(n, c));
     }
     return e;
 }
@@ -89,7 +125,7 @@ std::vector<double> CloudSystem::strips(const std::vector<double>& e,
     std::vector<double> sums(parts * functions, 0.0), squares(parts * functions, 0.0);
     for (std::size_t n = 0; n < e.size(); ++n) {
         const double at = by_x ? cloud_.x[n] : cloud_.y[n];
-        const std::size_t strip = strip_at(breaks, at);
+        const std::size_t strip = strip_of(along, at);
         const double share = (at - breaks[strip]) / (breaks[strip + 1] - breaks[strip]);
         const std::size_t part = std::min<std::size_t>(
             parts_of_strip - 1, static_cast<std::size_t>(share * parts_of_strip));
@@ -192,9 +228,8 @@ void CloudSystem::add_differences(std::size_t count, std::size_t stride, Add add
     }
 }
 
-Eigen::VectorXd CloudSystem::gradient(const std::vector<double>& c) const {
+Eigen::VectorXd CloudSystem::gradient(const std::vector<double>& e) const {
     Eigen::VectorXd g = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(p_ * q_));
-    const std::vector<double> e = weighted_residuals(c);
     for (std::size_t n = 0; n < e.size(); ++n) {
         for (std::size_t i = 0; i < x_.order; ++i) {
             const double factor = cloud_.weight[n] * e[n] * x_.at(n)[i];

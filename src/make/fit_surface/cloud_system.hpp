@@ -45,7 +45,11 @@ private:
     Eigen::SparseMatrix<double> matrix() const;
     template <class Add>
     void add_differences(std::size_t count, std::size_t stride, Add add) const;
-    Eigen::VectorXd gradient(const std::vector<double>& c) const;
+    /// What splines see of residuals: A^T W e.
+    Eigen::VectorXd gradient(const std::vector<double>& e) const;
+    template <class Coefficients>
+    double height(std::size_t n, const Coefficients& c) const;
+    std::vector<double> weighted_values(const Eigen::VectorXd& c) const;
     void find_open(CloudFit& fit, const Eigen::VectorXd& pivots) const;
 
     const Cloud& cloud_;

@@ -71,10 +71,11 @@ SurfaceFit fit_scattered(const ScatteredSamples& samples, const FitSurfaceOption
     }
     note_what_is_badly_fitted(report);
     const bool is_whole = report.undetermined.empty() && fit.faint == 0;
-    report.status = !is_whole              ? Status::rank_deficient
-                    : !choice.is_converged ? Status::not_converged
-                    : choice.is_met        ? Status::met
-                                           : Status::not_met;
+    const bool is_converged = fit.solution.is_converged && choice.is_converged;
+    report.status = !is_whole        ? Status::rank_deficient
+                    : !is_converged  ? Status::not_converged
+                    : choice.is_met  ? Status::met
+                                     : Status::not_met;
     return {std::move(surface), std::move(report)};
 }
 

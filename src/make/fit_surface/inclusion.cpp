@@ -1,7 +1,5 @@
 #include "make/fit_surface/inclusion.hpp"
 
-#include <span>
-
 #include "num/rows.hpp"
 
 namespace batten::surface_fitting {
@@ -75,7 +73,7 @@ std::vector<double> InclusionPair::refined(const std::vector<double>& coefficien
     return transposed(y.refined(transposed(half, x.fine()), x.fine()), y.fine());
 }
 
-std::vector<double> transposed(const std::vector<double>& matrix, std::size_t rows) {
+std::vector<double> transposed(std::span<const double> matrix, std::size_t rows) {
     const std::size_t columns = matrix.size() / rows;
     std::vector<double> result(matrix.size());
     for (std::size_t i = 0; i < rows; ++i) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "batten/shape/basis.hpp"
@@ -41,6 +42,6 @@ struct InclusionPair {
 };
 
 /// A matrix of so many rows turned into columns.
-std::vector<double> transposed(const std::vector<double>& matrix, std::size_t rows);
+std::vector<double> transposed(std::span<const double> matrix, std::size_t rows);
 
 }  // namespace batten::surface_fitting

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "make/fit_surface/inclusion.hpp"
+
 namespace batten::surface_fitting {
 namespace {
 
@@ -71,14 +73,20 @@ void RowFits::solve(std::span<const double> z, std::size_t rows, std::vector<dou
 RowFits::Fitted RowFits::fit(std::span<const double> z) const {
     const std::size_t columns = weights_.size(), rows = z.size() / columns;
     Fitted fitted{std::vector<double>(rows * axis_.functions(), 0.0), std::vector<double>(rows)};
-    solve(z, rows, fitted.coefficients);
+    const bool is_delicate = axis_.is_delicate();
+    if (is_delicate) {
+        fitted.coefficients =
+            transposed(axis_.fitted(transposed(z, rows), rows), axis_.functions());
+    } else {
+        solve(z, rows, fitted.coefficients);
+    }
     std::vector<double> e(z.size());
     const auto take_residuals = [&] {
         plain_.expand(fitted.coefficients, {0, rows}, e);
         for (std::size_t k = 0; k < e.size(); ++k) e[k] = z[k] - e[k];
     };
     take_residuals();
-    if (!is_harmless_) {
+    if (!is_harmless_ && !is_delicate) {
         solve(e, rows, fitted.coefficients);
         take_residuals();
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "make/fit_surface/inclusion.hpp"
 #include "make/fit_surface/masked_normals.hpp"
 #include "make/fit_surface/mixed_noise.hpp"
 #include "num/tensor.hpp"
@@ -80,6 +81,23 @@ void add_times(std::vector<double>& to, double factor, const std::vector<double>
     for (std::size_t i = 0; i < to.size(); ++i) to[i] += factor * what[i];
 }
 
+/// What makes the preconditioner regular is part of the matrix, lest steps drift where lines see
+/// nothing: faint differences in either direction, times a usual square sum of the other.
+void add_faint_part(const Axis& x, const Axis& y, const std::vector<double>& c,
+                    std::vector<double>& image) {
+    const std::size_t p = x.functions(), q = y.functions();
+    if (!x.is_regular()) add_times(image, y.mean_sq(), x.faint_part(c, q));
+    if (!y.is_regular()) {
+        add_times(image, x.mean_sq(), transposed(y.faint_part(transposed(c, p), p), q));
+    }
+}
+
+Solution orthogonal_solution(const Nodes& nodes, const Axis& x, const Axis& y) {
+    const std::vector<double> in_x = x.fitted(nodes.z, nodes.y.size());
+    const std::vector<double> both = y.fitted(transposed(in_x, x.functions()), x.functions());
+    return {transposed(both, y.functions())};
+}
+
 /// Where the matrix is smaller than the grid, steps need not see the nodes.
 bool is_worth_a_matrix(const Nodes& nodes, const Axis& x, const Axis& y) {
     const std::size_t entries = static_cast<std::size_t>(x.plain().order * y.plain().order);
@@ -118,7 +136,8 @@ Solution conjugate_gradients(std::vector<double> rest, const NormalMatrix& matri
     const double target = small_enough * small_enough * energy;
     const int most = steps > 0 ? steps : 100 + 10 * static_cast<int>(c.size());
     while (energy > target && result.iterations < most) {
-        const std::vector<double> image = matrix(direction);
+        std::vector<double> image = matrix(direction);
+        add_faint_part(x, y, direction, image);
         const double curvature = dot_of(direction, image);
         if (!(curvature > 0)) break;
         const double step = energy / curvature;
@@ -141,6 +160,7 @@ bool is_harmless(const Axis& x, const Axis& y) {
 
 Solution solve(const Nodes& nodes, const Axis& x, const Axis& y, Corrected corrected) {
     if (!nodes.is_full()) return solve_masked(nodes, x, y);
+    if (x.is_delicate() || y.is_delicate()) return orthogonal_solution(nodes, x, y);
     std::vector<double> products(x.functions() * y.functions(), 0.0);
     num::Tensor(x.normal(), y.normal(), num::Tensor::Use::products)
         .contract(nodes.z, {0, nodes.x.size()}, products);

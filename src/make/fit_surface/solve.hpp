@@ -17,8 +17,9 @@ struct Solution {
 };
 
 /// Solves the normal equations. Full grids: (A^T A)^-1 in each direction, and one correction by
-/// the residuals where weights or knots are so uneven that it matters and it is asked for. Else
-/// conjugate gradients, preconditioned by the same.
+/// the residuals where weights or knots are so uneven that it matters and it is asked for; where
+/// they are more uneven still, orthogonal reduction. Else conjugate gradients, preconditioned by the
+/// same.
 ///
 /// Source: corrected seminormal equations [Bjorck1987]; [HestenesStiefel1952].
 enum class Corrected { no, where_needed };
