@@ -106,6 +106,28 @@ TEST(DelicateGrid, WithAHoleTakesAnyHeightForGround) {
     for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(b[k], a[k] + 100, 0.01);
 }
 
+TEST(DelicateGrid, TellsWhereAMissingCornerLetsTheSurfaceGo) {
+    const auto wave = [](double x, double y) { return std::sin(6 * x) * std::cos(5 * y); };
+    SurfaceTable table = surface_of(wave, 20, 15, 0.02);
+    const auto notes = [&] {
+        FitSurfaceOptions options;
+        options.knots = SurfaceKnots::equal;
+        options.intervals = {6, 6};
+        options.sigma = 0.02;
+        const std::vector<std::string> all = fit_surface(table.view(), options).report.notes;
+        return std::count_if(all.begin(), all.end(), [](const std::string& note) {
+            return note.starts_with("between the samples the surface goes from ");
+        });
+    };
+    EXPECT_EQ(notes(), 0);
+    table.z.drop(10, 7);
+    EXPECT_EQ(notes(), 0);
+    for (std::size_t i = 0; i < 12; ++i) {
+        for (std::size_t j = 0; j < 9; ++j) table.z.drop(i, j);
+    }
+    EXPECT_EQ(notes(), 1);
+}
+
 TEST(DelicateCloud, LeavesNothingThatSplinesSee) {
     for (int seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE(seed);

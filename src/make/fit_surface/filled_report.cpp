@@ -44,6 +44,23 @@ void fill_lines(FitSurfaceReport& report, const SplineSurface& surface) {
     report.parameters = static_cast<int>(surface.coefficients().size());
 }
 
+void note_what_lies_beyond(FitSurfaceReport& report, const SplineSurface& surface,
+                           Interval heights) {
+    constexpr std::size_t lines = 129;
+    const Rectangle domain = surface.domain();
+    const Grid z = surface.evaluate(even_places(domain.x, lines), even_places(domain.y, lines));
+    const std::span<const double> values = z.view().values();
+    const auto [least, largest] = std::minmax_element(values.begin(), values.end());
+    const double room = heights.hi - heights.lo;
+    if (*least >= heights.lo - room && *largest <= heights.hi + room) return;
+    const auto range = [](double lo, double hi) {
+        return format_brief(lo, 4) + " to " + format_brief(hi, 4);
+    };
+    report.notes.push_back("between the samples the surface goes from " + range(*least, *largest) +
+                           ", heights from " + range(heights.lo, heights.hi) +
+                           ": fewer strips, or lines that keep clear of the holes, hold it better");
+}
+
 void note_what_is_badly_fitted(FitSurfaceReport& report) {
     constexpr double swings = 2, improbable = 1e-6;
     const auto rounded = [](double x) { return format_fixed(x, 2); };

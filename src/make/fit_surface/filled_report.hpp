@@ -31,6 +31,11 @@ void fill_criteria(SurfaceQuality& report, const Misfit& misfit, const SampleFac
 constexpr const char* note_of_holes =
     "holes in the data leave coefficients open: continued smoothly";
 
+/// Notes where a surface goes far beyond the heights, from `heights.lo` to `heights.hi`, as it may in
+/// holes at whose edges it is hardly seen.
+void note_what_lies_beyond(FitSurfaceReport& report, const SplineSurface& surface,
+                           Interval heights);
+
 /// Notes where the surface swings between the samples, or leaves more than the errors.
 void note_what_is_badly_fitted(FitSurfaceReport& report);
 

@@ -69,6 +69,8 @@ SurfaceFit fit_scattered(const ScatteredSamples& samples, const FitSurfaceOption
         report.notes.push_back(std::to_string(fit.faint) +
                                " more coefficients follow from smoothness rather than from samples");
     }
+    const auto [least, largest] = std::minmax_element(samples.z.begin(), samples.z.end());
+    note_what_lies_beyond(report, surface, {*least, *largest});
     note_what_is_badly_fitted(report);
     const bool is_whole = report.undetermined.empty() && fit.faint == 0;
     const bool is_converged = fit.solution.is_converged && choice.is_converged;

@@ -59,6 +59,7 @@ SurfaceFit fit_surface(const SurfaceSamples& samples, const FitSurfaceOptions& o
     if (!report.undetermined.empty()) {
         report.notes.push_back(note_of_holes);
     }
+    if (nodes.missing > 0) note_what_lies_beyond(report, surface, nodes.heights());
     note_what_is_badly_fitted(report);
     report.status = surface_status(report, solution, choice);
     return {std::move(surface), std::move(report)};

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
+
+#include "batten/base/interval.hpp"
 
 /// The lines of a grid in one direction, the errors along them, and its heights.
 namespace batten::surface_fitting {
@@ -22,6 +26,14 @@ void require_errors(std::span<const double> sigma, std::size_t count, const char
 /// Throws `points.not-finite` at the first height that is none; rows of `columns` heights, the
 /// first of which the grid has `first` rows before.
 void require_finite_heights(std::span<const double> z, std::size_t columns, std::size_t first = 0);
+
+/// The range of heights, one by one.
+constexpr Interval no_heights{std::numeric_limits<double>::infinity(),
+                              -std::numeric_limits<double>::infinity()};
+inline void widen(Interval& range, double height) {
+    range.lo = std::min(range.lo, height);
+    range.hi = std::max(range.hi, height);
+}
 
 /// 1 / sigma, or 1.
 std::vector<double> weights_of(std::span<const double> sigma, std::size_t count);

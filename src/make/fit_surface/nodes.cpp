@@ -118,6 +118,15 @@ bool Nodes::is_mask_only() const {
                        [](double f) { return f == 0 || f == 1; });
 }
 
+Interval Nodes::heights() const {
+    if (stored) return stored->heights();
+    Interval range = no_heights;
+    for (std::size_t k = 0; k < z.size(); ++k) {
+        if (cell_factor_sq[k] > 0) widen(range, z[k]);
+    }
+    return range;
+}
+
 void Nodes::for_masked_rows(const TakeMaskedRows& take) const {
     if (!stored) return take({0, z, cell_factor_sq});
     std::vector<double> heights, factors;

@@ -28,6 +28,8 @@ public:
     virtual void read(const TakeRows& take) = 0;
     /// What all errors are to be times, known once the rows have been read.
     virtual double unit() const = 0;
+    /// The least and the largest height, where nodes are missing.
+    virtual Interval heights() const = 0;
     /// Whether any node of row r (column s) is there, where nodes are missing.
     virtual std::vector<double> used_x() const = 0;
     virtual std::vector<double> used_y() const = 0;
@@ -51,6 +53,8 @@ struct Nodes {
     bool is_full() const { return cell_factor_sq.empty() && missing == 0; }
     /// Whether each node either is missing or has the errors of its row and column.
     bool is_mask_only() const;
+    /// The least and the largest height of the nodes that count, which are not full.
+    Interval heights() const;
     void for_rows(const TakeRows& take) const { stored ? stored->read(take) : take(0, z); }
     /// Of nodes that are not full.
     void for_masked_rows(const TakeMaskedRows& take) const;

@@ -64,6 +64,7 @@ void StoredGrid::count_holes() {
             for (std::size_t s = 0; s < columns; ++s) {
                 if (std::isnan(z[at + s])) continue;
                 ++here;
+                widen(heights_, z[at + s]);
                 is_used[s] = true;
             }
             missing_ += columns - here;

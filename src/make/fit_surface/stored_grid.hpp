@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "batten/make/fit_surface_chunks.hpp"
+#include "make/fit_surface/grid_lines.hpp"
 #include "make/fit_surface/mixed_noise.hpp"
 #include "make/fit_surface/nodes.hpp"
 
@@ -20,6 +21,7 @@ public:
     /// Throws `points.not-finite`, and HolesFound unless the holes have been counted.
     void read(const TakeRows& take) override;
     double unit() const override;
+    Interval heights() const override { return heights_; }
     std::vector<double> used_x() const override { return used_x_; }
     std::vector<double> used_y() const override { return used_y_; }
 
@@ -43,6 +45,7 @@ private:
     MixedNoiseOfRows noise_;
     bool expects_holes_ = false;
     std::size_t missing_ = 0;
+    Interval heights_ = no_heights;
     std::vector<double> used_x_, used_y_;  ///< lines with any height, where some are missing
 };
 

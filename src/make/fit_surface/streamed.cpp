@@ -150,6 +150,7 @@ SurfaceFit fit_stored(const SurfaceStream& stream, StoredGrid& grid,
     fit.report.notes = std::move(choice.notes);
     if (fit.report.status == Status::met && !choice.is_met) fit.report.status = Status::not_met;
     if (!fit.report.undetermined.empty()) fit.report.notes.push_back(note_of_holes);
+    if (nodes.missing > 0) note_what_lies_beyond(fit.report, fit.surface, nodes.heights());
     note_what_is_badly_fitted(fit.report);
     return fit;
 }
