@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace batten {
@@ -43,6 +44,10 @@ class Grid {
 public:
     Grid(std::size_t nu, std::size_t nv, int dim = 1)
         : values_(nu * nv * static_cast<std::size_t>(dim)), nu_(nu), nv_(nv), dim_(dim) {}
+
+    /// Takes over nu x nv x dim values, the last index fastest.
+    Grid(std::vector<double> values, std::size_t nu, std::size_t nv, int dim = 1)
+        : values_(std::move(values)), nu_(nu), nv_(nv), dim_(dim) {}
 
     std::size_t nu() const { return nu_; }
     std::size_t nv() const { return nv_; }

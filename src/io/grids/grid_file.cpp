@@ -15,19 +15,19 @@ std::vector<double> counted(std::size_t count) {
 }
 
 GridFile grid_of_npy(const Source& source) {
-    const tables::NpyGrid array = tables::read_npy_grid(source.bytes, source.name);
+    tables::NpyGrid array = tables::read_npy_grid(source.bytes, source.name);
     GridFile file;
-    file.z = Grid(array.rows, array.columns);
+    file.z = Grid(std::move(array.values), array.rows, array.columns);
     for (std::size_t i = 0; i < array.rows; ++i) {
         for (std::size_t j = 0; j < array.columns; ++j) {
-            const double value = array.values[i * array.columns + j];
+            const double value = file.z(i, j);
+            if (std::isfinite(value)) continue;
             if (std::isinf(value)) {
                 throw Error("grid.cell",
                             source.name + " [" + std::to_string(i) + "][" + std::to_string(j) + "]",
                             "inf", "a height must be a finite number or NaN");
             }
-            if (std::isnan(value)) file.z.drop(i, j);
-            else file.z(i, j) = value;
+            file.z.drop(i, j);
         }
     }
     file.x = counted(array.rows);
