@@ -22,6 +22,7 @@ void BandedQr::restart(BandShape shape) {
     assert(shape.width <= shape.columns || shape.border > 0);
     shape_ = shape;
     front_ = 0;
+    floors_.clear();
     const std::size_t row = static_cast<std::size_t>(shape.row_width());
     rows_.assign(static_cast<std::size_t>(shape.columns) * row, 0.0);
     work_.assign(static_cast<std::size_t>(shape.width) * row, 0.0);
@@ -33,13 +34,27 @@ void BandedQr::absorb(int first, double* rows, int count) {
     assert(first >= front_);
     emit(first - front_);
     const std::size_t stride = static_cast<std::size_t>(shape_.row_width());
-    num::absorb({work_.data(), stride, shape_.width, shape_.row_width()}, {rows, count, stride});
-    if (shape_.border > 0) {
-        num::absorb({border_.data(), border_stride(), shape_.border,
-                     shape_.border + shape_.sides},
-                    {rows + shape_.width, count, stride});
-    }
+    absorb_above_floors(first, work_.data(), stride, shape_.width, shape_.row_width(), rows, count);
+    if (shape_.border > 0) absorb_into_border(rows + shape_.width, count);
     leave_rest(rows, count);
+}
+
+void BandedQr::absorb_into_border(double* rows, int count) {
+    absorb_above_floors(shape_.columns, border_.data(), border_stride(), shape_.border,
+                        shape_.border + shape_.sides, rows, count);
+}
+
+void BandedQr::absorb_above_floors(int first, double* triangle, std::size_t stride, int columns,
+                                   int width, double* rows, int count) {
+    const std::size_t row = static_cast<std::size_t>(shape_.row_width());
+    if (floors_.empty()) return num::absorb({triangle, stride, columns, width}, {rows, count, row});
+    for (int c = 0; c < columns && first + c < shape_.columns + shape_.border; ++c) {
+        double largest = 0;
+        for (int i = 0; i < count; ++i) largest = std::max(largest, std::fabs(rows[offset(i) + c]));
+        if (!(largest > floors_[static_cast<std::size_t>(first + c)])) continue;
+        double* const diagonal = triangle + static_cast<std::size_t>(c) * stride + c;
+        num::absorb({diagonal, stride, 1, width - c}, {rows + c, count, row});
+    }
 }
 
 void BandedQr::leave_rest(const double* rows, int count) {
@@ -76,17 +91,12 @@ void BandedQr::emit(int count) {
 void BandedQr::finish() {
     // Rows beyond the last unknown have no band part left: they belong to border and residual.
     emit(shape_.columns - front_);
-    const std::size_t stride = static_cast<std::size_t>(shape_.row_width());
-    if (shape_.border > 0) {
-        num::absorb({border_.data(), border_stride(), shape_.border,
-                     shape_.border + shape_.sides},
-                    {work_.data() + shape_.width, shape_.width, stride});
-    }
+    if (shape_.border > 0) absorb_into_border(work_.data() + shape_.width, shape_.width);
     leave_rest(work_.data(), shape_.width);
 }
 
 void BandedQr::reduce(std::span<const int> firsts, std::span<const double> blocks) {
-    if (has_cubic_band() && shape_.sides == 1) {
+    if (has_cubic_band() && shape_.sides == 1 && floors_.empty()) {
         products_[0] = reduce_cubic_band(firsts, blocks.data(), shape_.columns, rows_.data());
         front_ = shape_.columns;
         return;

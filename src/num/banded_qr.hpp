@@ -33,6 +33,10 @@ public:
 
     /// Forgets everything; keeps the memory.
     void restart(BandShape shape);
+    /// Until the next restart: what rows hold of unknown j (band, then border), once the unknowns
+    /// before it are eliminated, counts as nothing where no entry is above floors[j]. So inf leaves
+    /// it without a pivot: for unknowns that depend on those before them.
+    void set_floors(std::vector<double> floors) { floors_ = std::move(floors); }
     /// Takes in `rows` rows of row_width() numbers each, whose band part stands in columns
     /// first ... first + width - 1. `first` must not fall. The rows are destroyed.
     void absorb(int first, double* rows, int count);
@@ -82,12 +86,16 @@ private:
         return static_cast<std::size_t>(shape_.border + shape_.sides);
     }
     void emit(int count);
+    void absorb_into_border(double* rows, int count);
+    /// `rows` into the triangle of unknowns first ..., column by column, floors observed.
+    void absorb_above_floors(int first, double* triangle, std::size_t stride, int columns, int width,
+                             double* rows, int count);
     void leave_rest(const double* rows, int count);
     bool has_cubic_band() const { return shape_.width == 4 && shape_.border == 0; }
 
     BandShape shape_;
     int front_ = 0;
-    std::vector<double> rows_, work_, border_, products_;
+    std::vector<double> rows_, work_, border_, products_, floors_;
 };
 
 }  // namespace batten::num

@@ -77,5 +77,126 @@ TEST(FitWithEmptyIntervals, SaysWhyThereIsNoBand) {
     EXPECT_NE(report.notes[0].find("5 coefficients are not determined"), std::string::npos);
 }
 
+/// The samples of a table from `first` on, before `last`.
+FitTable part_of(const FitTable& table, double first, double last) {
+    FitTable part;
+    for (std::size_t i = 0; i < table.x.size(); ++i) {
+        if (table.x[i] < first || table.x[i] >= last) continue;
+        part.x.push_back(table.x[i]);
+        part.y.push_back(table.y[i]);
+        part.sigma.push_back(table.sigma[i]);
+    }
+    return part;
+}
+
+FitOptions over_knots(int degree, double first, double last) {
+    FitOptions options;
+    options.degree = degree;
+    options.knots = KnotPlacement::given;
+    for (double t = first; t <= last; t += 5) options.knots_values.push_back(t);
+    return options;
+}
+
+TEST(FitWithEmptyIntervals, IsTheBestOnBothSidesHoweverUnevenTheErrors) {
+    // Beyond a gap as wide as a B-spline the two sides know nothing of each other.
+    for (const double error : {1.0, 1e-4, 1e-8}) {
+        FitTable table = with_gap(8);
+        table.sigma[40] = error;
+        const double sides = fit(part_of(table, 0, 50).view(), over_knots(3, 5, 25)).report.delta2 +
+                             fit(part_of(table, 50, 101).view(), over_knots(3, 75, 95)).report.delta2;
+        FitOptions options;
+        options.knots = KnotPlacement::equal;
+        options.intervals = 20;
+        const FitReport report = fit(table.view(), options).report;
+        EXPECT_EQ(report.status, Status::rank_deficient);
+        EXPECT_NEAR(report.delta2 / sides, 1, 1e-6) << error;
+    }
+}
+
+/// The sum of squared differences round a ring.
+double roughness(std::span<const double> c, std::size_t functions, int order) {
+    double sum = 0;
+    for (std::size_t j = 0; j < functions; ++j) {
+        double difference = 0, choose = 1;
+        for (int i = 0; i <= order; ++i) {
+            difference += (i % 2 ? -choose : choose) *
+                          c[(j + static_cast<std::size_t>(i)) % functions];
+            choose = choose * (order - i) / (i + 1);
+        }
+        sum += difference * difference;
+    }
+    return sum;
+}
+
+TEST(ClosedFitWithEmptyIntervals, IsTheBestAndContinuesSmoothly) {
+    for (const int degree : {1, 2, 3, 5}) {
+        FitTable table = with_gap(8);
+        table.y.back() = table.y.front();
+        FitOptions options;
+        options.degree = degree;
+        options.closed = true;
+        options.knots = KnotPlacement::equal;
+        options.intervals = 20;
+        const FitReport report = fit(table.view(), options).report;
+        EXPECT_EQ(report.status, Status::rank_deficient);
+        const int missing = 8 - degree;
+        EXPECT_EQ(report.rank, 20 - missing);
+        ASSERT_EQ(static_cast<int>(report.undetermined.size()), missing);
+        EXPECT_EQ(report.undetermined.front(), 6 + degree);
+
+        // The same spline cut open in the gap, where it is determined.
+        FitTable cut = table;
+        for (double& x : cut.x) x += x < 50 ? 100 : 0;
+        const FitReport open = fit(cut.view(), over_knots(degree, 75, 125)).report;
+        ASSERT_EQ(open.status, Status::met);
+        EXPECT_NEAR(report.delta2 / open.delta2, 1, 1e-9) << degree;
+
+        const double least = roughness(report.coefficients, 20, degree + 1);
+        for (const int j : report.undetermined) {
+            for (const double step : {-1e-2, 1e-2}) {
+                std::vector<double> moved = report.coefficients;
+                moved[static_cast<std::size_t>(j)] += step;
+                EXPECT_GE(roughness(moved, 20, degree + 1), least) << degree << " " << j;
+            }
+        }
+    }
+}
+
+TEST(ClosedFit, KnowsARingThatIsSingularThoughEveryFunctionHasASample) {
+    // Straight stretches, a sample in the middle of each: 1, -1, 1, ... is not seen.
+    FitTable table{{0.0}, {0.0}, {std::numeric_limits<double>::infinity()}};
+    for (int i = 0; i < 8; ++i) {
+        table.x.push_back(i + 0.5);
+        table.y.push_back(i % 2 ? 9 : 11);
+        table.sigma.push_back(1);
+    }
+    table.x.push_back(8);
+    table.y.push_back(0);
+    table.sigma.push_back(std::numeric_limits<double>::infinity());
+    FitOptions options;
+    options.degree = 1;
+    options.closed = true;
+    options.knots = KnotPlacement::equal;
+    options.intervals = 8;
+    const FitReport report = fit(table.view(), options).report;
+    EXPECT_EQ(report.status, Status::rank_deficient);
+    EXPECT_EQ(report.rank, 7);
+    EXPECT_EQ(report.undetermined.size(), 8u);
+    EXPECT_NEAR(report.delta2, 8, 1e-9);
+    for (const double c : report.coefficients) EXPECT_NEAR(c, 10, 1e-6);
+}
+
+TEST(ClosedFitByInsertion, DoesNotSplitWhatTheDataCannotFill) {
+    for (const int degree : {1, 3}) {
+        FitOptions options;
+        options.degree = degree;
+        options.closed = true;
+        options.stop = StopRule::gcv;
+        const Fit result = fit(with_gap(10).view(), options);
+        EXPECT_EQ(result.report.rank, result.report.parameters);
+        EXPECT_TRUE(result.report.undetermined.empty());
+    }
+}
+
 }  // namespace fit_rank_test
 }  // namespace batten

@@ -7,24 +7,14 @@
 #include "batten/base/text.hpp"
 #include "make/fit/first_look.hpp"
 #include "make/fit/interval_rows.hpp"
+#include "make/fit/ring_rank.hpp"
 
 namespace batten::fitting {
 namespace {
 
-/// Weight of the differences against the data's largest column: their square is at rounding, so
-/// what the data determine stays as it is.
-constexpr double lightly = 1e-8;
-/// Scaled pivots below are taken as rank deficiency where counting does not decide (closed).
-constexpr double least_pivot = 1e-13;
-
-double largest_entry(std::span<const double> blocks, const TriangleShape& shape) {
-    double largest = 0;
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
-        const bool is_side = static_cast<int>(i) % shape.width() >= shape.order;
-        if (!is_side) largest = std::max(largest, std::fabs(blocks[i]));
-    }
-    return largest;
-}
+/// A pivot of a closed spline's triangle above this share of the largest column is none of rounding;
+/// below, the abscissae decide.
+constexpr double safe_pivot = 1e-5;
 
 /// The rows of all spans, ready to be solved, and what counting needs (open splines).
 struct Reduced {
@@ -69,30 +59,42 @@ Reduced reduced(const Reducer& reducer, const FixedFit& fit, FirstLook* look) {
     return all;
 }
 
-void solve_closed(FixedFit& fit, const Reduced& all) {
-    fit.system.solve(fit.functions, all.firsts, all.blocks);
-    fit.rank = fit.functions;
+bool has_safe_pivots(const FixedFit& fit) {
+    const num::BandedQr& qr = fit.system.qr();
+    double largest_sq = 0;
+    for (int j = 0; j < fit.functions; ++j) largest_sq = std::max(largest_sq, qr.column_sq(j));
+    const double least = safe_pivot * std::sqrt(largest_sq);
     for (int j = 0; j < fit.functions; ++j) {
-        if (fit.system.qr().scaled_pivot(fit.system.unknown(j)) > least_pivot) continue;
-        fit.undetermined.push_back(j);
-        --fit.rank;
+        if (!(qr.scaled_pivot(j) * std::sqrt(qr.column_sq(j)) > least)) return false;
     }
+    return true;
 }
 
-void solve(FixedFit& fit, const TriangleShape& shape, const Reduced& all,
-           std::span<const Cell> cells) {
-    const int stored = static_cast<int>(fit.knots.size()) - shape.order;
+/// `samples`: of splines that close; the cells tell of others.
+void solve(FixedFit& fit, const LocalBasis& basis, const Reduced& all,
+           std::span<const Cell> cells, const Samples* samples) {
+    const int order = basis.order();
+    const int stored = static_cast<int>(fit.knots.size()) - order;
     const bool is_closed = fit.system.ends() == Ends::closed;
-    fit.functions = is_closed ? stored - (shape.order - 1) : stored;
-    if (is_closed) return solve_closed(fit, all);
-    fit.rank = rank_of(cells, fit.functions);
-    fit.undetermined = undetermined_coefficients(cells, fit.functions);
-    if (fit.undetermined.empty()) {
+    fit.functions = fit.rank = is_closed ? stored - (order - 1) : stored;
+    std::vector<char> is_dependent;
+    if (is_closed) {
         fit.system.solve(fit.functions, all.firsts, all.blocks);
+        if (has_safe_pivots(fit)) return;
+        RingRank ring = ring_rank(fit.knots, basis, *samples);
+        fit.rank = ring.rank;
+        fit.undetermined = std::move(ring.undetermined);
+        is_dependent = std::move(ring.is_dependent);
+        if (fit.rank == fit.functions) return;
     } else {
-        fit.system.solve_smoothly(fit.functions, all.firsts, all.blocks,
-                                  lightly * largest_entry(all.blocks, shape));
+        fit.rank = rank_of(cells, fit.functions);
+        if (fit.rank == fit.functions) {
+            return fit.system.solve(fit.functions, all.firsts, all.blocks);
+        }
+        fit.undetermined = undetermined_coefficients(cells, fit.functions);
+        is_dependent = dependent_functions(cells, fit.functions);
     }
+    fit.system.solve_smoothly(fit.functions, all.firsts, all.blocks, is_dependent);
 }
 
 }  // namespace
@@ -104,7 +106,7 @@ FixedFit solve_from(std::vector<double> knots, const LocalBasis& basis, const Tr
     for (const std::size_t span : spans_of(fit.knots, shape.order)) {
         add_block(fit, span, triangles.data() + all.firsts.size() * shape.size(), all);
     }
-    solve(fit, shape, all, cells);
+    solve(fit, basis, all, cells, nullptr);
     return fit;
 }
 
@@ -113,7 +115,7 @@ FixedFit solve_fixed(const Samples& samples, std::vector<double> knots, const Lo
     const Reducer reducer(samples, basis);
     FixedFit fit = unsolved(std::move(knots), basis, reducer.shape(), ends);
     const Reduced all = reduced(reducer, fit, nullptr);
-    solve(fit, reducer.shape(), all, all.cells);
+    solve(fit, basis, all, all.cells, &samples);
     return fit;
 }
 
@@ -126,7 +128,7 @@ std::optional<FixedFit> solve_looking(const Samples& samples, std::vector<double
     if (!look.is_clean(samples) || !has_usable_units(samples, look, basis.order() - 1)) {
         return std::nullopt;
     }
-    solve(fit, reducer.shape(), all, all.cells);
+    solve(fit, basis, all, all.cells, &samples);
     return fit;
 }
 

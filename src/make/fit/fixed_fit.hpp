@@ -26,7 +26,7 @@ struct FixedFit {
     int fixed_count = 0;                     ///< the first of these, fixed whatever the data
 };
 
-/// Solves; where coefficients are open, takes those of the least squared differences.
+/// Solves; where coefficients are open, takes of the best those of the least squared differences.
 ///
 /// Cost: one pass over the samples, O(p order^3).
 FixedFit solve_fixed(const Samples& samples, std::vector<double> knots, const LocalBasis& basis,
@@ -36,7 +36,7 @@ FixedFit solve_fixed(const Samples& samples, std::vector<double> knots, const Lo
 std::optional<FixedFit> solve_looking(const Samples& samples, std::vector<double> knots,
                                       const LocalBasis& basis, Ends ends);
 
-/// The same from triangles that are there already (one a span, in order).
+/// The same from triangles that are there already (one a span, in order). Open splines.
 FixedFit solve_from(std::vector<double> knots, const LocalBasis& basis, const TriangleShape& shape,
                     Ends ends, std::span<const double> triangles, std::span<const Cell> cells);
 

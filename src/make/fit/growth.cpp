@@ -5,6 +5,7 @@
 
 #include "make/fit/interval_rows.hpp"
 #include "make/fit/moments.hpp"
+#include "make/fit/ring_rank.hpp"
 #include "num/cox_de_boor.hpp"
 
 namespace batten::fitting {
@@ -157,7 +158,6 @@ bool Growth::can_split(int index) const {
     const double middle = knot_between(piece.span);
     if (!(piece.span.lo < middle && middle < piece.span.hi)) return false;
     const Rows left = rows_in(*samples_, piece.rows, {piece.span.lo, middle}, RightEnd::open);
-    if (ends() == Ends::closed) return left.count() > 0 && left.count() < piece.rows.count();
     if (piece.rows.count() == 0) return false;
     const int order = now_.system.order();
     const PlaceCounts halves[] = {
@@ -165,6 +165,11 @@ bool Growth::can_split(int index) const {
         count_places(*samples_, {left.last, piece.rows.last}, {middle, piece.span.hi}, order)};
     // Enough for all functions that live there: then no other interval has to lend any.
     if (halves[0].inside == order && halves[1].inside == order) return true;
+    if (ends() == Ends::closed) {
+        std::vector<double> split = breaks();
+        split.insert(split.begin() + index + 1, middle);
+        return can_take(split);
+    }
     SimpleRank rank(order);
     for (int i = 0; i < intervals(); ++i) {
         if (i == index) rank.add(halves[0]);
@@ -181,7 +186,10 @@ bool Growth::is_determined() const {
 
 bool Growth::can_take(std::span<const double> breaks) const {
     const int n = static_cast<int>(breaks.size()) - 1;
-    if (ends() == Ends::closed) return static_cast<std::size_t>(n) <= samples_->size();
+    if (ends() == Ends::closed) {
+        if (static_cast<std::size_t>(n) > samples_->size()) return false;
+        return ring_rank(closed_knots(breaks, now_.system.order()), *basis_, *samples_).rank == n;
+    }
     const std::vector<double> knots =
         open_knots({breaks.front(), breaks.back()}, breaks.subspan(1, breaks.size() - 2),
                    now_.system.order());

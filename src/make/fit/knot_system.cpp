@@ -1,8 +1,9 @@
 #include "make/fit/knot_system.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
+#include "make/fit/smooth_equations.hpp"
 #include "num/clones.hpp"
 #include "num/cox_de_boor.hpp"
 
@@ -91,7 +92,7 @@ void KnotSystem::solve(int functions, std::span<const int> firsts,
 }
 
 void KnotSystem::factor(int functions, std::span<const int> firsts,
-                        std::span<const double> blocks) {
+                        std::span<const double> blocks, std::span<const double> floors) {
     functions_ = functions;
     const int border = ends_ == Ends::closed ? std::min(shape_.order - 1, functions) : 0;
     const int columns = functions - border;
@@ -100,12 +101,21 @@ void KnotSystem::factor(int functions, std::span<const int> firsts,
     } else {
         qr_.restart({shape_.order, columns, border, shape_.sides});
     }
+    if (!floors.empty()) set_floors(floors);
     if (ends_ == Ends::open) return qr_.reduce(firsts, blocks);
     scratch_.resize(static_cast<std::size_t>(shape_.order * qr_.shape().row_width()));
     for (std::size_t i = 0; i < firsts.size(); ++i) {
         add_closed(firsts[i], blocks.data() + i * block_size());
     }
     qr_.finish();
+}
+
+void KnotSystem::set_floors(std::span<const double> floors) {
+    std::vector<double> of_unknowns(floors.size());
+    for (std::size_t j = 0; j < floors.size(); ++j) {
+        of_unknowns[static_cast<std::size_t>(unknown(static_cast<int>(j)))] = floors[j];
+    }
+    qr_.set_floors(std::move(of_unknowns));
 }
 
 void KnotSystem::add_closed(int first, const double* block) {
@@ -129,43 +139,33 @@ void KnotSystem::add_closed(int first, const double* block) {
 }
 
 void KnotSystem::solve_smoothly(int functions, std::span<const int> firsts,
-                                std::span<const double> blocks, double lightly) {
-    functions_ = functions;
-    const int k = shape_.order, sides = shape_.sides;
-    if (functions == k) return solve(functions, firsts, blocks);
-    qr_.restart({k + 1, functions, 0, sides});
-    const int width = k + 1 + sides;
-    scratch_.resize(static_cast<std::size_t>(k * width));
-    std::vector<double> differences(static_cast<std::size_t>(k) + 1);
-    double choose = lightly;
-    for (int j = 0; j <= k; ++j) {
-        differences[static_cast<std::size_t>(j)] = j % 2 == 0 ? choose : -choose;
-        choose = choose * (k - j) / (j + 1);
+                                std::span<const double> blocks,
+                                std::span<const char> is_dependent) {
+    std::vector<double> floors;
+    int rank = 0;
+    for (const char is : is_dependent) {
+        floors.push_back(is ? std::numeric_limits<double>::infinity() : 0);
+        rank += !is;
     }
-    std::size_t block = 0;
-    for (int first = 0; first + k < functions; ++first) {
-        const bool is_last = first + k + 1 == functions;
-        for (; block < firsts.size() && (firsts[block] <= first || is_last); ++block) {
-            const int shift = firsts[block] - first;
-            std::fill(scratch_.begin(), scratch_.end(), 0.0);
-            for (int i = 0; i < k; ++i) {
-                const double* const from =
-                    blocks.data() + block * block_size() + i * shape_.width();
-                std::copy(from, from + k, scratch_.begin() + i * width + shift);
-                std::copy(from + k, from + k + sides, scratch_.begin() + i * width + k + 1);
-            }
-            qr_.absorb(first, scratch_.data(), k);
-        }
-        std::fill(scratch_.begin(), scratch_.end(), 0.0);
-        std::copy(differences.begin(), differences.end(), scratch_.begin());
-        qr_.absorb(first, scratch_.data(), 1);
+    factor(functions, firsts, blocks, floors);
+    SmoothEquations equations(functions, ends_, shape_);
+    equations.add_triangle(*this);
+    equations.add_differences(std::min(shape_.order, rank), ends_);
+    const std::vector<double> c = equations.solution();
+    qr_ = equations.triangle();
+    const std::size_t p = static_cast<std::size_t>(functions), stored = stored_coefficients();
+    solution_.resize(stored * static_cast<std::size_t>(shape_.sides));
+    for (std::size_t i = 0; i < solution_.size(); ++i) {
+        solution_[i] = c[i / stored * p + i % stored % p];
     }
-    qr_.finish();
-    take_solution();
+}
+
+std::size_t KnotSystem::stored_coefficients() const {
+    return static_cast<std::size_t>(functions_ + (ends_ == Ends::closed ? shape_.order - 1 : 0));
 }
 
 void KnotSystem::take_solution() {
-    const int stored = functions_ + (ends_ == Ends::closed ? shape_.order - 1 : 0);
+    const int stored = static_cast<int>(stored_coefficients());
     solution_.resize(static_cast<std::size_t>(stored * shape_.sides));
     std::vector<double>& raw = scratch_;
     raw.resize(static_cast<std::size_t>(functions_));

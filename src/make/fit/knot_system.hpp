@@ -28,6 +28,7 @@ public:
     /// Numbers of one interval's block: order rows of order + sides.
     std::size_t block_size() const { return shape_.size() - 1; }
     int order() const { return shape_.order; }
+    int sides() const { return shape_.sides; }
     Ends ends() const { return ends_; }
 
     /// The interval's rows in terms of its B-splines' coefficients: R B, where B takes the
@@ -45,14 +46,17 @@ public:
     /// Solves for `functions` coefficients (and `shape.sides` sides): block i touches the
     /// functions firsts[i] ... firsts[i] + order - 1, counted round for a closed spline.
     void solve(int functions, std::span<const int> firsts, std::span<const double> blocks);
-    /// The triangle alone, in qr(); blocks of order x (order + sides).
-    void factor(int functions, std::span<const int> firsts, std::span<const double> blocks);
+    /// The triangle alone, in qr(); blocks of order x (order + sides). `floors`: see BandedQr, one a
+    /// function, or none.
+    void factor(int functions, std::span<const int> firsts, std::span<const double> blocks,
+                std::span<const double> floors = {});
     /// So many right-hand sides from now on.
     void set_sides(int sides) { shape_.sides = sides; }
-    /// The same, the squared differences of order `order` counted with weight `lightly`: for what
-    /// the data leave open. Open splines only.
+    /// The same where functions depend on those eliminated before them: of the best coefficients
+    /// those whose differences, of order `order` where the rank allows it, have the least sum of
+    /// squares.
     void solve_smoothly(int functions, std::span<const int> firsts,
-                        std::span<const double> blocks, double lightly);
+                        std::span<const double> blocks, std::span<const char> is_dependent);
 
     /// After solve(): the coefficients of one side; closed splines have their first `degree`
     /// repeated at the end.
@@ -65,6 +69,8 @@ public:
 
 private:
     void take_solution();
+    std::size_t stored_coefficients() const;
+    void set_floors(std::span<const double> floors);
     void add_closed(int first, const double* block);
 
     const LocalBasis* basis_;

@@ -86,19 +86,35 @@ void SimpleRank::give(int count, int first, int last) {
     rank_ += given;
 }
 
-int rank_of(std::span<const Cell> cells, int functions, int without) {
+namespace {
+
+/// Calls `give(j)` for every function that gets a datum of its own.
+template <class Give>
+void give_data(std::span<const Cell> cells, int functions, int without, Give&& give) {
     // The cells' ranges rise with the cells: giving each datum the leftmost free function is best.
-    int rank = 0, next = 0;
+    int next = 0;
     for (const Cell& cell : cells) {
         next = std::max(next, cell.first);
         for (int i = 0; i < cell.count; ++i) {
             if (next == without) ++next;
             if (next > cell.last || next >= functions) break;
-            ++next;
-            ++rank;
+            give(next++);
         }
     }
+}
+
+}  // namespace
+
+int rank_of(std::span<const Cell> cells, int functions, int without) {
+    int rank = 0;
+    give_data(cells, functions, without, [&](int) { ++rank; });
     return rank;
+}
+
+std::vector<char> dependent_functions(std::span<const Cell> cells, int functions) {
+    std::vector<char> is_dependent(static_cast<std::size_t>(functions), 1);
+    give_data(cells, functions, -1, [&](int j) { is_dependent[static_cast<std::size_t>(j)] = 0; });
+    return is_dependent;
 }
 
 std::vector<int> undetermined_coefficients(std::span<const Cell> cells, int functions) {

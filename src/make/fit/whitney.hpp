@@ -57,6 +57,9 @@ void remember_places(std::vector<double>& places, std::span<const double> x, Int
 /// The rank of the matrix with `functions` columns, function `without` left out (or -1).
 int rank_of(std::span<const Cell> cells, int functions, int without = -1);
 
+/// One a function: whether it depends on those to the left of it.
+std::vector<char> dependent_functions(std::span<const Cell> cells, int functions);
+
 /// The coefficients that the data leave open, rising; empty where all are determined.
 std::vector<int> undetermined_coefficients(std::span<const Cell> cells, int functions);
 
