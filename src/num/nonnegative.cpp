@@ -97,6 +97,59 @@ std::vector<std::size_t> listed(const std::vector<char>& is_passive) {
     return columns;
 }
 
+/// The shortest u that fulfils some rows, of length 1, with equality; nothing where rows depend on
+/// each other. `dual` holds the rows as columns.
+std::optional<std::vector<double>> shortest_on(const DenseMatrix& dual,
+                                               std::span<const double> heights,
+                                               const std::vector<std::size_t>& active) {
+    constexpr double least_pivot = 1e-12;
+    const std::size_t a = active.size(), q = dual.rows - 1;
+    if (a > q) return std::nullopt;
+    std::vector<double> triangle(a * a, 0.0), columns(q * a);
+    for (std::size_t i = 0; i < q; ++i) {
+        for (std::size_t j = 0; j < a; ++j) columns[i * a + j] = dual(i, active[j]);
+    }
+    absorb({triangle.data(), a, static_cast<int>(a), static_cast<int>(a)},
+           {columns.data(), static_cast<int>(q), a});
+    for (std::size_t j = 0; j < a; ++j) {
+        if (!(std::fabs(triangle[j * a + j]) > least_pivot)) return std::nullopt;
+    }
+    std::vector<double> u(q, 0.0), w(a);
+    // u = G^T (R^T R)^-1 h; the second round takes away what rounding did in the first
+    // [Bjorck1987].
+    for (int round = 0; round < 2; ++round) {
+        for (std::size_t j = 0; j < a; ++j) {
+            w[j] = heights[active[j]];
+            for (std::size_t i = 0; i < q; ++i) w[j] -= dual(i, active[j]) * u[i];
+        }
+        for (std::size_t j = 0; j < a; ++j) {
+            for (std::size_t i = 0; i < j; ++i) w[j] -= triangle[i * a + j] * w[i];
+            w[j] /= triangle[j * a + j];
+        }
+        for (std::size_t j = a; j-- > 0;) {
+            for (std::size_t i = j + 1; i < a; ++i) w[j] -= triangle[j * a + i] * w[i];
+            w[j] /= triangle[j * a + j];
+        }
+        for (std::size_t i = 0; i < q; ++i) {
+            for (std::size_t j = 0; j < a; ++j) u[i] += dual(i, active[j]) * w[j];
+        }
+    }
+    return u;
+}
+
+/// Whether u fulfils all rows, but for rounding.
+bool fulfils(const DenseMatrix& dual, std::span<const double> heights,
+             const std::vector<double>& u) {
+    constexpr double tolerance = 1e-9;
+    const double length = norm(u);
+    for (std::size_t j = 0; j < dual.columns; ++j) {
+        double rest = heights[j];
+        for (std::size_t i = 0; i + 1 < dual.rows; ++i) rest -= dual(i, j) * u[i];
+        if (rest > tolerance * (std::fabs(heights[j]) + length)) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 std::vector<double> nonnegative_least_squares(const DenseMatrix& matrix,
@@ -144,12 +197,14 @@ std::optional<LeastDistance> least_distance(const DenseMatrix& matrix,
     std::vector<double> unit(q + 1, 0.0);
     unit[q] = 1;
     const std::vector<double> w = nonnegative_least_squares(dual, unit);
-    const std::vector<double> r = residual_of(dual, unit, w);
-    if (!(r[q] > 1e-14)) return std::nullopt;
-    for (std::size_t j = 0; j < q; ++j) result.point[j] = -r[j] / r[q] * scale;
     for (std::size_t i = 0; i < m; ++i) {
         if (w[i] > 0) result.active.push_back(i);
     }
+    // Where rows contradict each other, nothing but rounding is left to tell u from: the rows that
+    // push depend on each other then, or leave another one unfulfilled.
+    std::optional<std::vector<double>> point = shortest_on(dual, heights, result.active);
+    if (!point || !fulfils(dual, heights, *point)) return std::nullopt;
+    result.point = *std::move(point);
     return result;
 }
 

@@ -117,5 +117,27 @@ TEST(LeastDistance, SaysWhereThereIsNone) {
     EXPECT_TRUE(least_distance(g, std::vector<double>{1, -2}).has_value());
 }
 
+TEST(LeastDistance, SaysSoHoweverLittleTheRowsContradictEachOther) {
+    testing::Random random(7);
+    for (int round = 0; round < 50; ++round) {
+        const std::size_t n = 2 + static_cast<std::size_t>(round) % 10;
+        DenseMatrix g(n + 1, n);
+        std::vector<double> right(n + 1, 0.0);
+        for (std::size_t j = 0; j < n; ++j) {
+            g(j, j) = 1;
+            g(n, j) = -1;
+            right[j] = random.within(1, 1000);
+            right[n] -= right[j];
+        }
+        const double sum = right[n];
+        for (const double gap : {1.0, 1e-3, 1e-5}) {
+            right[n] = sum + gap;
+            EXPECT_FALSE(least_distance(g, right).has_value()) << round << " " << gap;
+            right[n] = sum - gap;
+            EXPECT_TRUE(least_distance(g, right).has_value()) << round << " " << gap;
+        }
+    }
+}
+
 }  // namespace dense_law_test
 }  // namespace batten::num

@@ -187,5 +187,89 @@ TEST(FitLimits, LeaveABandAsNarrowAsTheErrorsSayWhereKnotsAreChosen) {
     }
 }
 
+TEST(FitLimits, ThatContradictEachOtherAreNotMet) {
+    // Falling throughout, and higher at the end than at the start.
+    Noise noise(8);
+    for (int round = 0; round < 60; ++round) {
+        const double error = std::pow(10.0, -0.5 - 2.5 * noise.uniform());
+        FitTable table;
+        for (int i = 0; i <= 60; ++i) {
+            table.x.push_back(i / 60.0);
+            table.y.push_back(50 - table.x.back() * table.x.back() + error * noise.normal());
+            table.sigma.push_back(error);
+        }
+        FitOptions options = over_12(1 + round % 4);
+        options.intervals = 1 + round % 7;
+        options.monotone = Direction::down;
+        options.start_value = 49.9;
+        options.end_value = 49.9 + std::pow(10.0, -3 * noise.uniform());
+        const Fit made = fit(table.view(), options);
+        EXPECT_EQ(made.report.status, Status::not_met) << round;
+        EXPECT_FALSE(made.report.notes.empty());
+        options.end_value = 49.9 - std::pow(10.0, -3 * noise.uniform());
+        const Fit falling = fit(table.view(), options);
+        EXPECT_EQ(falling.report.status, Status::met) << round;
+        EXPECT_EQ(falling.report.coefficients.front(), *options.start_value);
+        EXPECT_EQ(falling.report.coefficients.back(), *options.end_value);
+    }
+}
+
+TEST(FitLimits, ByTheDataGoTheWayOfTheLeastDelta2) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        Noise noise(seed);
+        FitTable table;
+        for (int i = 0; i < 100; ++i) {
+            const double x = i / 99.0;
+            table.x.push_back(x);
+            table.y.push_back((x - 0.3) * (x - 0.3) + 0.1 * noise.normal());
+            table.sigma.push_back(0.1);
+        }
+        const auto delta2 = [&](Direction monotone, Direction convex) {
+            FitOptions options = over_12(3);
+            options.monotone = monotone;
+            options.convex = convex;
+            return fit(table.view(), options).report.delta2;
+        };
+        constexpr Direction up = Direction::up, down = Direction::down, any = Direction::by_data;
+        EXPECT_EQ(delta2(Direction::free, any),
+                  std::min(delta2(Direction::free, up), delta2(Direction::free, down)));
+        EXPECT_EQ(delta2(any, Direction::free),
+                  std::min(delta2(up, Direction::free), delta2(down, Direction::free)));
+        EXPECT_EQ(delta2(any, any), std::min({delta2(up, up), delta2(up, down), delta2(down, up),
+                                              delta2(down, down)}));
+    }
+}
+
+TEST(FitLimits, MayHoldEveryCoefficient) {
+    FitTable table;
+    for (int i = 0; i <= 10; ++i) {
+        table.x.push_back(0.1 * i);
+        table.y.push_back(0.3 * i + (i % 2 ? 0.25 : -0.25));
+        table.sigma.push_back(0.5);
+    }
+    FitOptions options;
+    options.knots = KnotPlacement::equal;
+    options.intervals = 1;
+    options.start_value = 0;
+    options.end_value = 3;
+    for (const int degree : {1, 3}) {
+        options.degree = degree;
+        if (degree == 3) options.start_slope = options.end_slope = 3;
+        for (const Direction convex : {Direction::free, Direction::up, Direction::by_data}) {
+            options.convex = convex;
+            options.monotone = convex;
+            const Fit made = fit(table.view(), options);
+            EXPECT_EQ(made.report.status, Status::met);
+            EXPECT_EQ(made.report.parameters, 0);
+            EXPECT_NEAR(made.report.delta2, 11 * 0.25, 1e-12);
+            EXPECT_NEAR(*made.report.sigma2, 0.25, 1e-12);
+            for (const double x : {0.0, 0.4, 1.0}) {
+                EXPECT_NEAR(made.spline(x), 3 * x, 1e-14);
+                EXPECT_LT(made.covariance.deviation(x), 1e-12);
+            }
+        }
+    }
+}
+
 }  // namespace fit_limits_law_test
 }  // namespace batten

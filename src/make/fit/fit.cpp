@@ -74,7 +74,10 @@ Width width_of(const FitReport& report) {
         width.scale = std::sqrt(report.sigma2.value_or(1));
         width.degrees = degrees;
     }
-    width.scale *= std::sqrt(static_cast<double>(report.parameters_charged) / report.parameters);
+    if (report.parameters > 0) {
+        width.scale *= std::sqrt(static_cast<double>(report.parameters_charged) /
+                                 report.parameters);
+    }
     return width;
 }
 

@@ -81,52 +81,62 @@ int coefficients_held(const FitOptions& o) {
     return start + end;
 }
 
-/// The sign that `direction` asks for; by the data where it is to be found: that of the sum.
-double sign_of(Direction direction, double sum) {
-    if (direction == Direction::up) return 1;
-    if (direction == Direction::down) return -1;
-    return sum < 0 ? -1 : 1;
+/// Which way a spline goes and bends: up, down, or free.
+struct Way {
+    Direction monotone = Direction::free;
+    Direction convex = Direction::free;
+};
+
+double sign_of(Direction direction) { return direction == Direction::down ? -1 : 1; }
+
+/// How the slopes change from coefficient j to j + 2, times both gaps; none where knots are stacked.
+std::optional<Form> bend_at(const FixedFit& fixed, std::size_t j) {
+    const std::span<const double> t = fixed.knots;
+    const std::size_t k = static_cast<std::size_t>(fixed.system.order());
+    const double here = t[j + k] - t[j + 1], next = t[j + k + 1] - t[j + 2];
+    if (!(here > 0 && next > 0)) return std::nullopt;
+    return Form{{j, j + 1, j + 2}, {next, -(next + here), here}};
 }
 
 /// Forms that must not be negative.
-std::vector<Form> rising_forms(std::size_t p, Direction direction, std::span<const double> c) {
-    const double sign = sign_of(direction, c[p - 1] - c[0]);
-    std::vector<Form> forms;
-    for (std::size_t j = 0; j + 1 < p; ++j) forms.push_back({{j, j + 1}, {-sign, sign}});
-    return forms;
-}
-
-std::vector<Form> bending_forms(const FixedFit& fixed, Direction direction,
-                                std::span<const double> c) {
-    const std::span<const double> t = fixed.knots;
-    const std::size_t k = static_cast<std::size_t>(fixed.system.order());
+std::vector<Form> forms_of(const FixedFit& fixed, Way way) {
     const std::size_t p = static_cast<std::size_t>(fixed.functions);
     std::vector<Form> forms;
-    double sum = 0;
-    for (std::size_t j = 0; j + 2 < p; ++j) {
-        const double here = t[j + k] - t[j + 1], next = t[j + k + 1] - t[j + 2];
-        if (!(here > 0 && next > 0)) continue;
-        // The difference of the slopes beside coefficient j + 1, times both gaps.
-        forms.push_back({{j, j + 1, j + 2}, {next, -(next + here), here}});
-        sum += (c[j + 2] - c[j + 1]) / next - (c[j + 1] - c[j]) / here;
+    const double rise = sign_of(way.monotone), bend = sign_of(way.convex);
+    for (std::size_t j = 0; j + 1 < p && way.monotone != Direction::free; ++j) {
+        forms.push_back({{j, j + 1}, {-rise, rise}});
     }
-    const double sign = sign_of(direction, sum);
-    for (Form& form : forms) {
-        for (double& f : form.factor) f *= sign;
+    for (std::size_t j = 0; j + 2 < p && way.convex != Direction::free; ++j) {
+        std::optional<Form> form = bend_at(fixed, j);
+        if (!form) continue;
+        for (double& f : form->factor) f *= bend;
+        forms.push_back(*std::move(form));
     }
     return forms;
 }
 
-std::vector<Form> forms_of(const FixedFit& fixed, const FitOptions& options) {
+/// The ways that are allowed; first the one that the fit without limits goes from end to end.
+std::vector<Way> ways_of(const FixedFit& fixed, const FitOptions& options) {
     const std::span<const double> c = fixed.system.coefficients(0);
-    std::vector<Form> forms;
-    if (options.monotone != Direction::free && c.size() > 1) {
-        forms = rising_forms(c.size(), options.monotone, c);
+    double bend = 0;
+    for (std::size_t j = 0; j + 2 < c.size(); ++j) {
+        const std::optional<Form> form = bend_at(fixed, j);
+        if (!form) continue;
+        const double both = form->factor[0] * form->factor[2];
+        for (std::size_t l = 0; l < 3; ++l) bend += form->factor[l] * c[j + l] / both;
     }
-    if (options.convex != Direction::free) {
-        for (Form& f : bending_forms(fixed, options.convex, c)) forms.push_back(std::move(f));
+    const auto directions = [](Direction asked, double sum) -> std::vector<Direction> {
+        if (asked != Direction::by_data) return {asked};
+        if (sum < 0) return {Direction::down, Direction::up};
+        return {Direction::up, Direction::down};
+    };
+    std::vector<Way> ways;
+    for (const Direction convex : directions(options.convex, bend)) {
+        for (const Direction monotone : directions(options.monotone, c.back() - c.front())) {
+            ways.push_back({monotone, convex});
+        }
     }
-    return forms;
+    return ways;
 }
 
 /// The problem in the free coefficients: R' f = z', triangular, the right side last.
@@ -167,6 +177,73 @@ std::vector<double> back_substituted(const DenseMatrix& triangle, std::vector<do
     return u;
 }
 
+/// What a form is of the fixed coefficients; 0 where that is rounding.
+double fixed_part(const Form& form, const Freedom& freedom) {
+    double sum = 0, largest = 0;
+    for (std::size_t l = 0; l < form.at.size(); ++l) {
+        const double term = form.factor[l] * freedom.offset[form.at[l]];
+        sum += term;
+        largest = std::max(largest, std::fabs(term));
+    }
+    constexpr double rounding = 1e-14;
+    return std::fabs(sum) > rounding * largest ? sum : 0;
+}
+
+/// Rounding leaves steps of an ulp; a flat stretch is to be flat, and what is fixed stays.
+void take_out_ulps(std::vector<double>& c, const Freedom& freedom, Direction monotone) {
+    const double sign = sign_of(monotone);
+    const auto follow = [&](std::size_t j, std::size_t leader, double way) {
+        if (freedom.free_of[j] >= 0 && way * (c[j] - c[leader]) < 0) c[j] = c[leader];
+    };
+    for (std::size_t j = 1; j < c.size(); ++j) follow(j, j - 1, sign);
+    for (std::size_t j = c.size() - 1; j-- > 0;) follow(j, j + 1, -sign);
+}
+
+/// The best coefficients of one way, and what keeps them from better ones.
+struct WithinLimits {
+    std::vector<double> coefficients;
+    std::vector<Form> active;
+    double distance_sq = 0;  ///< how much delta2 is above that of fixed coefficients alone
+};
+
+std::optional<WithinLimits> nearest_within(const FixedFit& fixed, const Freedom& freedom,
+                                           const DenseMatrix& triangle, Way way) {
+    const std::vector<Form> forms = forms_of(fixed, way);
+    const std::size_t q = freedom.free, p = freedom.offset.size();
+    std::vector<double> z(q);
+    for (std::size_t i = 0; i < q; ++i) z[i] = triangle(i, q);
+    DenseMatrix rows(forms.size(), q);
+    std::vector<double> right(forms.size(), 0.0);
+    for (std::size_t i = 0; i < forms.size(); ++i) {
+        const std::span<double> g(rows.entries.data() + i * q, q);
+        for (std::size_t l = 0; l < forms[i].at.size(); ++l) {
+            const std::ptrdiff_t f = freedom.free_of[forms[i].at[l]];
+            if (f >= 0) g[static_cast<std::size_t>(f)] += forms[i].factor[l];
+        }
+        divide(triangle, g);
+        right[i] = -fixed_part(forms[i], freedom);
+        for (std::size_t j = 0; j < q; ++j) right[i] -= g[j] * z[j];
+    }
+    const auto nearest = num::least_distance(rows, right);
+    if (!nearest) return std::nullopt;
+    WithinLimits result;
+    for (std::size_t j = 0; j < q; ++j) {
+        z[j] += nearest->point[j];
+        result.distance_sq += nearest->point[j] * nearest->point[j];
+    }
+    const std::vector<double> free = back_substituted(triangle, std::move(z));
+    result.coefficients = freedom.offset;
+    for (std::size_t j = 0; j < p; ++j) {
+        const std::ptrdiff_t f = freedom.free_of[j];
+        if (f >= 0) result.coefficients[j] += free[static_cast<std::size_t>(f)];
+    }
+    if (way.monotone != Direction::free) {
+        take_out_ulps(result.coefficients, freedom, way.monotone);
+    }
+    for (const std::size_t i : nearest->active) result.active.push_back(forms[i]);
+    return result;
+}
+
 }  // namespace
 
 bool has_limits(const FitOptions& o) {
@@ -190,51 +267,24 @@ void require_limits(const FitOptions& o) {
 bool keep_within_limits(FixedFit& fixed, const FitOptions& options) {
     if (coefficients_held(options) > fixed.functions) return false;
     const Freedom freedom = freedom_of(fixed, options);
-    const std::vector<Form> forms = forms_of(fixed, options);
     const DenseMatrix triangle = reduced(fixed, freedom);
-    const std::size_t q = freedom.free, p = freedom.offset.size();
-    std::vector<double> z(q);
-    for (std::size_t i = 0; i < q; ++i) z[i] = triangle(i, q);
-
-    DenseMatrix rows(forms.size(), q);
-    std::vector<double> right(forms.size(), 0.0);
-    for (std::size_t i = 0; i < forms.size(); ++i) {
-        const std::span<double> g(rows.entries.data() + i * q, q);
-        for (std::size_t l = 0; l < forms[i].at.size(); ++l) {
-            const std::ptrdiff_t f = freedom.free_of[forms[i].at[l]];
-            right[i] -= forms[i].factor[l] * freedom.offset[forms[i].at[l]];
-            if (f >= 0) g[static_cast<std::size_t>(f)] += forms[i].factor[l];
-        }
-        divide(triangle, g);
-        for (std::size_t j = 0; j < q; ++j) right[i] -= g[j] * z[j];
+    std::optional<WithinLimits> best;
+    for (const Way way : ways_of(fixed, options)) {
+        std::optional<WithinLimits> found = nearest_within(fixed, freedom, triangle, way);
+        if (!found || (best && !(found->distance_sq < best->distance_sq))) continue;
+        best = std::move(found);
+        if (best->distance_sq == 0) break;
     }
-    const auto nearest = num::least_distance(rows, right);
-    if (!nearest) return false;
-    for (std::size_t j = 0; j < q; ++j) z[j] += nearest->point[j];
-    const std::vector<double> free = back_substituted(triangle, std::move(z));
-
-    std::vector<double> limited(p);
-    for (std::size_t j = 0; j < p; ++j) {
-        const std::ptrdiff_t f = freedom.free_of[j];
-        limited[j] = freedom.offset[j] + (f >= 0 ? free[static_cast<std::size_t>(f)] : 0);
-    }
-    if (options.monotone != Direction::free && p > 1) {
-        // Rounding leaves steps of an ulp; a flat stretch is to be flat.
-        const double sign = forms.front().factor[1];
-        for (std::size_t j = 1; j < p; ++j) {
-            double& c = limited[j];
-            if (sign * (c - limited[j - 1]) < 0) c = limited[j - 1];
-        }
-    }
-    fixed.limited = {std::move(limited)};
+    if (!best) return false;
+    fixed.limited = {std::move(best->coefficients)};
     const auto hold = [&](const Form& form) {
-        std::vector<double> row(p, 0.0);
+        std::vector<double> row(freedom.offset.size(), 0.0);
         for (std::size_t l = 0; l < form.at.size(); ++l) row[form.at[l]] += form.factor[l];
         fixed.held.push_back(std::move(row));
     };
     fixed.fixed_count = static_cast<int>(freedom.held.size());
     for (const Form& form : freedom.held) hold(form);
-    for (const std::size_t i : nearest->active) hold(forms[i]);
+    for (const Form& form : best->active) hold(form);
     return true;
 }
 
