@@ -76,6 +76,34 @@ TEST(FitCurve, PutsParametersWhereTheCurveIsNearest) {
     }
 }
 
+TEST(FitCurve, GivesResidualsThatAreDistancesAlsoWhereTheCurveIsCoarse) {
+    // Polygons of few corners round a trefoil: the nearest side is often another one.
+    for (const int intervals : {3, 4, 5, 7}) {
+        Noise noise(static_cast<std::uint64_t>(intervals));
+        Points points(0, 2);
+        for (int i = 0; i < 60; ++i) {
+            const double a = two_pi * i / 60, r = 2 + std::cos(3 * a) + 0.05 * noise.normal();
+            points.push_back(std::vector<double>{r * std::cos(a), r * std::sin(a)});
+        }
+        FitOptions options;
+        options.degree = 1;
+        options.closed = true;
+        options.sigma = 0.05;
+        options.knots = KnotPlacement::equal;
+        options.intervals = intervals;
+        const CurveFit made = fit_curve(points, {}, options);
+        const Curve curve(made.curve);
+        double delta2 = 0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const Jet jet = curve.jet(made.parameters[i], 0);
+            const double off = std::hypot(points(i, 0) - jet[0][0], points(i, 1) - jet[0][1]);
+            EXPECT_NEAR(off, nearest(curve, points[i]).distance, 1e-12) << intervals << " " << i;
+            delta2 += off * off / (0.05 * 0.05);
+        }
+        EXPECT_NEAR(made.report.delta2 / delta2, 1, 1e-12);
+    }
+}
+
 TEST(FitCurve, ScalesExactlyWithThePoints) {
     const Points points = circle(80, 0.1, 4);
     Points large = points;

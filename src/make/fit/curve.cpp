@@ -8,6 +8,7 @@
 #include "make/fit/curve_search.hpp"
 #include "make/fit/curve_tally.hpp"
 #include "make/fit/finish.hpp"
+#include "make/fit/fixed_curve.hpp"
 #include "make/fit/isolated.hpp"
 #include "make/fit/knot_choice.hpp"
 #include "make/fit/shape_limits.hpp"
@@ -37,24 +38,6 @@ void require_curve_options(const FitOptions& o) {
 }
 
 bool is_dropped(double factor) { return std::isinf(factor); }
-
-BSplineCurve curve_of(const FixedFit& fixed, const std::vector<SplineFunction>& coordinates) {
-    const std::size_t functions = static_cast<std::size_t>(fixed.functions);
-    Points control(functions, static_cast<int>(coordinates.size()));
-    for (std::size_t j = 0; j < functions; ++j) {
-        for (std::size_t s = 0; s < coordinates.size(); ++s) {
-            control(j, static_cast<int>(s)) = coordinates[s].coefficients()[j];
-        }
-    }
-    const int degree = coordinates[0].degree();
-    const std::span<const double> knots = fixed.knots;
-    return coordinates[0].is_closed()
-               ? BSplineCurve(BSplineBasis::periodic(knots.subspan(fixed.system.order() - 1,
-                                                                   functions + 1),
-                                                     degree),
-                              std::move(control))
-               : BSplineCurve(BSplineBasis(fixed.knots, degree), std::move(control));
-}
 
 /// Feet pass one another where points lie closer along the curve than they are exact.
 Samples in_order(Samples samples) {
@@ -86,6 +69,7 @@ FitReport report_of(CurveSearch& search) {
     }
     report.path = std::move(search.choice().path);
     report.notes = std::move(search.choice().notes);
+    note_open_coefficients(report);
     note_what_sigma_hides(report);
     const auto before = std::find_if(
         report.path.rbegin(), report.path.rend(),
@@ -215,7 +199,7 @@ CurveFit fit_curve(PointsView points, std::span<const double> sigma, const FitOp
     report.rejected.insert(report.rejected.end(), isolated.begin(), isolated.end());
     std::sort(report.rejected.begin(), report.rejected.end());
     search.problem().samples().work.finish();
-    return {curve_of(search.result().fixed, curve),
+    return {curve_of(search.result().fixed),
             spread(search.problem().places().t, part.rows, points, curve), std::move(report)};
 }
 

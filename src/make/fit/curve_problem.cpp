@@ -6,6 +6,7 @@
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
+#include "batten/measure/nearest.hpp"
 #include "make/fit/knot_choice.hpp"
 #include "make/interpolate/chords.hpp"
 
@@ -25,17 +26,6 @@ std::vector<std::size_t> weighted_rows(std::span<const double> factors, std::siz
     return result;
 }
 
-double distance_sq(std::span<const SplineFunction> curve, std::span<const double> point, double t) {
-    double sum = 0;
-    for (std::size_t s = 0; s < curve.size(); ++s) {
-        const double off = curve[s](t) - point[s];
-        sum += off * off;
-    }
-    return sum;
-}
-
-double wrapped(double t, double period) { return t - period * std::floor(t / period); }
-
 }  // namespace
 
 double nearer(std::span<const SplineFunction> curve, std::span<const double> point, double t) {
@@ -49,22 +39,6 @@ double nearer(std::span<const SplineFunction> curve, std::span<const double> poi
     if (speed_sq == 0) return t;
     // Where the point lies beyond the centre of curvature, the step of Gauss and Newton.
     return t - slope / (bend > 0.5 * speed_sq ? bend : speed_sq);
-}
-
-double foot_near(std::span<const SplineFunction> curve, std::span<const double> point, double t) {
-    constexpr int most_steps = 20;
-    const Interval domain = curve[0].domain();
-    double best = t, least = distance_sq(curve, point, t);
-    for (int step = 0; step < most_steps; ++step) {
-        t = nearer(curve, point, t);
-        if (curve[0].is_closed()) t = domain.lo + wrapped(t - domain.lo, domain.length());
-        t = domain.clamp(t);
-        const double here = distance_sq(curve, point, t);
-        if (!(here < least)) break;
-        least = here;
-        best = t;
-    }
-    return best;
 }
 
 CurveProblem::CurveProblem(PointsView points, std::span<const double> sigma,
@@ -160,12 +134,11 @@ void CurveProblem::correct(std::span<const SplineFunction> curve,
     }
 }
 
-void CurveProblem::settle(std::span<const SplineFunction> curve,
-                          std::span<const double> factors) {
+void CurveProblem::settle(const Curve& curve, std::span<const double> factors) {
     if (!places_.are_feet) return;
-    for (const std::size_t i : weighted_rows(factors, places_.t.size())) {
-        places_.t[i] = foot_near(curve, point(i), places_.t[i]);
-    }
+    const std::vector<std::size_t> kept = weighted_rows(factors, places_.t.size());
+    const std::vector<Nearest> feet = nearest(curve, rows(kept));
+    for (std::size_t r = 0; r < kept.size(); ++r) places_.t[kept[r]] = feet[r].t;
 }
 
 std::vector<double> CurveProblem::point(std::size_t i) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "batten/base/points.hpp"
+#include "batten/shape/curve.hpp"
 #include "make/fit/knot_system.hpp"
 #include "make/fit/samples.hpp"
 
@@ -43,7 +44,7 @@ public:
     void correct(std::span<const SplineFunction> curve, std::span<const double> factors);
     /// Moves the parameters of points with weight on to where the curve is nearest, whatever their
     /// order; those that were never corrected stay.
-    void settle(std::span<const SplineFunction> curve, std::span<const double> factors);
+    void settle(const Curve& curve, std::span<const double> factors);
 
 private:
     void choose_sigma(std::span<const double> sigma, const FitOptions& options);
@@ -63,7 +64,5 @@ private:
 
 /// One Newton step from t towards the foot of `point` on a curve.
 double nearer(std::span<const SplineFunction> curve, std::span<const double> point, double t);
-/// Where a curve is nearest to `point`, sought from t on as long as it comes nearer.
-double foot_near(std::span<const SplineFunction> curve, std::span<const double> point, double t);
 
 }  // namespace batten::fitting

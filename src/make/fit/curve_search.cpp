@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "make/fit/fixed_curve.hpp"
 #include "make/fit/free_choice.hpp"
 #include "make/fit/pruned_choice.hpp"
 #include "make/fit/tolerance_choice.hpp"
@@ -28,7 +29,7 @@ CurveSearch::CurveSearch(PointsView points, std::span<const double> sigma,
 void CurveSearch::run() {
     if (options_.tolerance) run_within_tolerance();
     else run_by_criterion();
-    if (here_->fixed.undetermined.empty()) problem_.settle(curve(), here_->factors);
+    if (here_->fixed.undetermined.empty()) problem_.settle(curve_of(here_->fixed), here_->factors);
 }
 
 void CurveSearch::run_by_criterion() {
