@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "batten/make/convert.hpp"
 #include "batten/shape/bspline.hpp"
 #include "batten/shape/curve.hpp"
 #include "random.hpp"
@@ -194,6 +195,37 @@ TEST(InsertKnots, MayOpenASeamOfAClosedCurve) {
     const BSplineCurve finer = insert_knots(curve, std::vector<double>{0, 4});
     EXPECT_LE(difference(curve, finer), 1e-14);
     EXPECT_EQ(finer.basis().size(), 6u);
+}
+
+TEST(RemoveKnots, StaysWithinTheToleranceAndTellsHowFar) {
+    testing::Random random(11);
+    int removed = 0;
+    for (int round = 0; round < 60; ++round) {
+        const int degree = random.whole(2, 5);
+        std::vector<double> knots(static_cast<std::size_t>(degree) + 1, 0.0);
+        for (int i = 1; i < 12; ++i) knots.push_back(i);
+        knots.insert(knots.end(), static_cast<std::size_t>(degree) + 1, 12.0);
+        Points points(knots.size() - static_cast<std::size_t>(degree) - 1, 2);
+        for (std::size_t j = 0; j < points.size(); ++j) {
+            points(j, 0) = static_cast<double>(j);
+            points(j, 1) = std::sin(0.7 * static_cast<double>(j)) + random.within(-0.01, 0.01);
+        }
+        const Curve curve{BSplineCurve(BSplineBasis(knots, degree), points)};
+        ConvertOptions options;
+        options.remove_knots = true;
+        options.tolerance = absolute(std::pow(10.0, random.within(-3, -0.5)));
+        const Conversion made = convert(curve, options);
+        EXPECT_EQ(made.report.status, Status::met) << round;
+        double largest = 0;
+        for (int i = 0; i <= 12 * 16; ++i) {
+            const Jet a = curve.jet(i / 16.0, 0), b = made.curve.jet(i / 16.0, 0);
+            largest = std::max(largest, std::hypot(a[0][0] - b[0][0], a[0][1] - b[0][1]));
+        }
+        EXPECT_LE(largest, options.tolerance.value) << round;
+        EXPECT_NEAR(made.report.max_error, largest, 1e-12) << round;
+        removed += static_cast<int>(*made.report.removed);
+    }
+    EXPECT_GT(removed, 60);
 }
 
 TEST(ElevateDegree, KeepsTheCurve) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
@@ -49,14 +50,16 @@ PiecewiseCubic hermite_piece(const Curve& curve, std::size_t piece, Interval par
 
 /// The largest distance between two curves over the same domain, parameter by parameter.
 double largest_distance(const Curve& a, const Curve& b) {
+    std::vector<double> breaks;
+    std::set_union(a.breaks().begin(), a.breaks().end(), b.breaks().begin(), b.breaks().end(),
+                   std::back_inserter(breaks));
     double largest = 0;
-    for (std::size_t piece = 0; piece < b.pieces(); ++piece) {
-        const Interval part = b.piece(piece);
-        const std::size_t source = a.piece_of(part.middle());
+    for (std::size_t j = 0; j + 1 < breaks.size(); ++j) {
+        const Interval part{breaks[j], breaks[j + 1]};
+        const std::size_t of_a = a.piece_of(part.middle()), of_b = b.piece_of(part.middle());
         for (int i = 0; i <= checks; ++i) {
             const double t = part.lo + part.length() * i / checks;
-            largest = std::max(largest,
-                               distance(a.jet_on(source, t, 0)[0], b.jet_on(piece, t, 0)[0]));
+            largest = std::max(largest, distance(a.jet_on(of_a, t, 0)[0], b.jet_on(of_b, t, 0)[0]));
         }
     }
     return largest;
