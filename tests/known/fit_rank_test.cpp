@@ -198,5 +198,20 @@ TEST(ClosedFitByInsertion, DoesNotSplitWhatTheDataCannotFill) {
     }
 }
 
+TEST(FreeKnots, OfFewerAbscissaeThanCoefficientsLeaveThemOpen) {
+    FitTable table{{0, 0, 1, 1, 2, 2}, {1, 1.2, 3, 3.2, 2, 2.2}, {}};
+    table.sigma.assign(6, 0.1);
+    FitOptions options;
+    for (const KnotPlacement knots : {KnotPlacement::automatic, KnotPlacement::free}) {
+        options.knots = knots;
+        const FitReport report = fit(table.view(), options).report;
+        EXPECT_EQ(report.status, Status::rank_deficient);
+        EXPECT_EQ(report.rank, 3);
+        EXPECT_NEAR(report.delta2, 6, 1e-9);
+        ASSERT_FALSE(report.path.empty());
+        for (const FitStep& step : report.path) EXPECT_NEAR(step.delta2, 6, 1e-9);
+    }
+}
+
 }  // namespace fit_rank_test
 }  // namespace batten

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "make/fit/exchange.hpp"
+#include "make/fit/residuals.hpp"
 #include "make/fit/tally.hpp"
 
 namespace batten::fitting {
@@ -29,12 +30,13 @@ public:
     /// Records; whether more knots are wanted. `moved`: the knots were optimised.
     bool wants_more(const Descent& d, bool moved) {
         const int p = fit_.parameters_of(d.set);
-        const double least = std::max(d.delta2, samples_.least_delta2);
+        const double delta2 = delta2_of(d);
+        const double least = std::max(delta2, samples_.least_delta2);
         FitStep step = step_of(least, samples_.values(), p, d.set.count() + 1, knowledge_of(samples_));
         const FitStep charged =
             step_of(least, samples_.values(), moved ? p + d.set.count() : p, step.intervals,
                     knowledge_of(samples_));
-        step.delta2 = d.delta2;
+        step.delta2 = delta2;
         if (plan_.rule == StopRule::distribution ||
             (plan_.wants_psi && samples_.sides.size() == 1)) {
             const FixedFit fixed =
@@ -65,6 +67,14 @@ public:
     }
 
 private:
+    /// Also where the samples leave coefficients open.
+    double delta2_of(const Descent& d) const {
+        if (std::isfinite(d.delta2)) return d.delta2;
+        const FixedFit fixed = solve_fixed(samples_, fit_.knots_of(d.set), basis_, ends_);
+        return fitting::delta2_of(
+            samples_, residuals_of(samples_, splines_of(fixed, samples_.sides.size())));
+    }
+
     bool judge(const Descent& d, const FitStep& charged, int p, bool moved) {
         const FitStep& step = choice_.path.back();
         const bool is_first = choice_.path.size() == 1;
@@ -73,13 +83,13 @@ private:
             is_end = d.set.count() + 1 >= plan_.exactly;
             choice_.is_met = d.set.count() + 1 == plan_.exactly;
         } else if (plan_.delta2 > 0) {
-            choice_.is_met = is_end = d.delta2 <= plan_.delta2;
+            choice_.is_met = is_end = step.delta2 <= plan_.delta2;
         } else if (plan_.rule == StopRule::distribution) {
             choice_.is_met = is_end = is_distributed(step.psi, plan_.phi);
         } else if (plan_.rule == StopRule::chi2) {
             const double degrees = static_cast<double>(samples_.values()) - p;
             choice_.is_met = is_end =
-                degrees > 0 && d.delta2 <= chi2_quantile(0.05, degrees);
+                degrees > 0 && step.delta2 <= chi2_quantile(0.05, degrees);
         } else {
             const double value = criterion_of(charged, plan_.rule);
             is_better = is_first || value < least_;
