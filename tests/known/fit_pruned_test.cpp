@@ -153,6 +153,21 @@ TEST(RobustFit, DropsTheOutlierAndNoNeighbourHoweverFarOffItIs) {
     }
 }
 
+TEST(RobustFit, DropsTheOutlierAndNoNeighbourNearTheEnds) {
+    for (const Robust robust : {Robust::reject, Robust::tukey}) {
+        for (const double sigmas : {58.0, -200.0}) {
+            for (const std::size_t at : {1, 2, 3, 147, 148}) {
+                FitTable table = sampled(wave, 150, 0.05, 14);
+                table.y[at] += 0.05 * sigmas;
+                FitOptions options;
+                options.robust = robust;
+                EXPECT_EQ(fit(table.view(), options).report.rejected, std::vector<std::size_t>{at})
+                    << sigmas;
+            }
+        }
+    }
+}
+
 TEST(RobustFit, KeepsJumpsAndPeaksOfTwoSamples) {
     FitTable table = sampled(step, 200, 0.01, 13);
     table.y[150] += 3;

@@ -58,11 +58,16 @@ private:
     Ends ends_;
 };
 
-/// The one `steps` after i, which may be negative.
+/// Up to three neighbours on each side of i, in order; fewer at the ends of an open row.
 template <class Row>
-std::size_t next_to(const Row& row, std::size_t i, int steps) {
+std::vector<std::size_t> neighbours(const Row& row, std::size_t i) {
+    std::vector<std::size_t> near;
     const std::size_t n = row.size();
-    return (i + n + static_cast<std::size_t>(steps)) % n;
+    for (const int step : {-3, -2, -1, 1, 2, 3}) {
+        const std::size_t at = i + n + static_cast<std::size_t>(step);
+        if (row.is_closed() || (at >= n && at < 2 * n)) near.push_back(at % n);
+    }
+    return near;
 }
 
 template <class Row>
@@ -76,13 +81,10 @@ double median_off_line(const Row& row) {
 
 /// The largest of the same among neighbours of i, i itself left out.
 template <class Row>
-double neighbours_off_line(const Row& row, std::size_t i) {
-    constexpr int near[6] = {-3, -2, -1, 1, 2, 3};
+double neighbours_off_line(const Row& row, const std::vector<std::size_t>& near) {
     double largest = 0;
-    for (std::size_t k = 1; k < 5; ++k) {
-        largest = std::max(largest, row.off_line(next_to(row, i, near[k - 1]),
-                                                 next_to(row, i, near[k]),
-                                                 next_to(row, i, near[k + 1])));
+    for (std::size_t k = 1; k + 1 < near.size(); ++k) {
+        largest = std::max(largest, row.off_line(near[k - 1], near[k], near[k + 1]));
     }
     return largest;
 }
@@ -93,12 +95,12 @@ std::vector<double> factors_of(const Row& row, SigmaAt&& sigma_at) {
     std::vector<double> factors;
     if (row.size() < 7) return factors;
     const double common = sigma_at(0) > 0 ? 0 : median_off_line(row);
-    const std::size_t first = row.is_closed() ? 0 : 3;
-    for (std::size_t i = first; i + first < row.size(); ++i) {
-        const double off = row.off_line(next_to(row, i, -1), i, next_to(row, i, 1));
+    const std::size_t n = row.size(), first = row.is_closed() ? 0 : 1;
+    for (std::size_t i = first; i + first < n; ++i) {
+        const double off = row.off_line((i + n - 1) % n, i, (i + 1) % n);
         const double sigma = common > 0 ? common : sigma_at(i);
         if (!(off > least_sigmas * sigma)) continue;
-        if (!(off > least_contrast * neighbours_off_line(row, i))) continue;
+        if (!(off > least_contrast * neighbours_off_line(row, neighbours(row, i)))) continue;
         if (factors.empty()) factors.assign(row.size(), 1);
         factors[i] = std::numeric_limits<double>::infinity();
     }

@@ -10,7 +10,7 @@ namespace batten::fitting {
 
 /// Factors of sigma, inf for every sample that stands alone: more than 10 sigma off the line
 /// through its two neighbours, and 5 times as far as any three of the three samples on either side
-/// are off theirs. Empty where there is none.
+/// (at the ends of an open row fewer) are off theirs. Empty where there is none.
 ///
 /// Such a sample bends every coarse fit so far that its neighbours look worse than it does, and
 /// knots are drawn to it. A jump or a peak of two samples stands alone nowhere. Where sigma is not
