@@ -73,3 +73,4 @@ int main(int argc, char** argv) {
     }
     return batten::cli::failed;
 }
+    require_form(command);

@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+
 #include "batten/base/error.hpp"
 #include "batten/io/curve_file.hpp"
 #include "batten/io/dxf.hpp"
@@ -19,9 +21,15 @@ namespace {
 /// Samples a piece when a curve is written as rows.
 constexpr int samples_a_piece = 16;
 
-[[noreturn]] void refuse_format(const std::string& format, const std::string& allowed) {
+[[noreturn]] void refuse_format(const std::string& format, const std::vector<std::string>& allowed) {
+    std::string words;
+    for (const std::string& form : allowed) words += (words.empty() ? "" : ", ") + form;
     throw Error("output.format", "output", format.empty() ? "no suffix" : format,
-                "must be one of " + allowed);
+                (allowed.size() == 1 ? "must be " : "must be one of ") + words);
+}
+
+bool is_among(const std::vector<std::string>& forms, const std::string& format) {
+    return std::find(forms.begin(), forms.end(), format) != forms.end();
 }
 
 std::vector<double> sample_parameters(const Curve& curve) {
@@ -35,15 +43,29 @@ std::vector<double> sample_parameters(const Curve& curve) {
     return t;
 }
 
-/// `allowed`, and the outcome's own forms.
-std::string with_forms(std::string allowed, const Outcome& outcome) {
-    for (const OutputForm& form : outcome.forms) {
-        if (form.name != "dxf") allowed += ", " + form.name;
+/// Of what the operation writes, what this outcome can be written as.
+std::vector<std::string> forms_of(const Outcome& outcome) {
+    std::vector<std::string> forms;
+    if (const Curve* curve = std::get_if<Curve>(&outcome.output)) {
+        forms = {"json", "csv"};
+        if (!has_jumps(*curve)) forms.insert(forms.end(), {"svg", "dxf"});
+    } else if (std::holds_alternative<Rows>(outcome.output)) {
+        forms = {"csv", "json", "npy"};
+    } else if (std::holds_alternative<Drawing>(outcome.output)) {
+        forms = {"svg", "png", "pdf"};
+    } else {
+        forms = {"json"};
+        if (!outcome.curves.empty()) forms.insert(forms.end(), {"dxf", "svg"});
     }
-    return allowed;
+    const auto add = [&](const std::string& form) {
+        if (!is_among(forms, form)) forms.push_back(form);
+    };
+    for (const OutputForm& form : outcome.forms) add(form.name);
+    if (outcome.rows) add("npy");
+    return forms;
 }
 
-std::string text_of(const Curve& curve, const std::string& format, const Outcome& outcome) {
+std::string text_of(const Curve& curve, const std::string& format) {
     if (format == "json") return dump_json(curve_value(curve));
     if (has_jumps(curve) && format != "csv") {
         throw Error("curve.jumps", "output", format,
@@ -51,32 +73,21 @@ std::string text_of(const Curve& curve, const std::string& format, const Outcome
     }
     if (format == "svg") return svg_picture(curve);
     if (format == "dxf") return dxf(curve);
-    if (format == "csv") return csv_samples(curve, sample_parameters(curve));
-    refuse_format(format, with_forms(outcome.rows ? "json, svg, csv, npy, dxf"
-                                                  : "json, svg, csv, dxf", outcome));
+    return csv_samples(curve, sample_parameters(curve));
 }
 
 std::string text_of(const Rows& rows, const std::string& format) {
     if (format == "csv") return csv_points(rows.cells, rows.names);
     if (format == "json") return json_points(rows.cells);
-    if (format == "npy") return npy_points(rows.cells);
-    refuse_format(format, "csv, json, npy");
-}
-
-std::string text_of(const Drawing& drawing, const std::string& format) {
-    if (format == "svg" || format == "png" || format == "pdf") return picture(drawing, format);
-    refuse_format(format, "svg, png, pdf");
+    return npy_points(rows.cells);
 }
 
 std::string text_of(const std::vector<Curve>& curves, const std::string& format) {
     if (format == "json") return dump_json(curves_value(curves));
     if (format == "dxf") return dxf(curves);
-    if (format == "svg") {
-        Drawing drawing;
-        for (const Curve& curve : curves) drawing.add(CurveLayer{curve, {}, {}});
-        return svg(drawing);
-    }
-    refuse_format(format, "json, dxf, svg");
+    Drawing drawing;
+    for (const Curve& curve : curves) drawing.add(CurveLayer{curve, {}, {}});
+    return svg(drawing);
 }
 
 std::string report_text(const Command& command, const Outcome& outcome) {
@@ -85,24 +96,28 @@ std::string report_text(const Command& command, const Outcome& outcome) {
 
 std::string output_text(const Command& command, const Outcome& outcome,
                         const std::string& format) {
+    const std::vector<std::string> forms = forms_of(outcome);
+    const auto* curve = std::get_if<Curve>(&outcome.output);
+    const bool is_cut = curve && has_jumps(*curve) && !is_among(forms, format);
+    if (is_cut) {
+        throw Error("curve.jumps", "output", format,
+                    "a curve with jumps is written as json or csv; batten draw makes a picture");
+    }
+    if (!is_among(forms, format)) refuse_format(format, forms);
     for (const OutputForm& form : outcome.forms) {
         if (form.name == format) return form.text();
     }
     const bool wants_rows = format == "csv" || format == "npy";
     if (wants_rows && outcome.rows) return text_of(outcome.rows(), format);
-    if (const Curve* curve = std::get_if<Curve>(&outcome.output)) {
-        return text_of(*curve, format, outcome);
-    }
+    if (curve) return text_of(*curve, format);
     if (const Rows* rows = std::get_if<Rows>(&outcome.output)) return text_of(*rows, format);
     if (const auto* drawing = std::get_if<Drawing>(&outcome.output)) {
-        return text_of(*drawing, format);
+        return picture(*drawing, format);
     }
     if (const auto* surface = std::get_if<Surface>(&outcome.output)) {
-        if (format == "json") return dump_json(surface_value(*surface));
-        refuse_format(format, with_forms("json", outcome));
+        return dump_json(surface_value(*surface));
     }
     if (!outcome.curves.empty()) return text_of(outcome.curves, format);
-    if (format != "json") refuse_format(format, "json");
     return report_text(command, outcome);
 }
 
@@ -121,6 +136,15 @@ bool writes_to_standard_output(const Command& command) {
 }
 
 }  // namespace
+
+void require_form(const Command& command) {
+    const bool is_file = !command.output.empty() && command.output != "-";
+    const std::string format =
+        command.format.empty() && is_file ? suffix_of(command.output) : command.format;
+    if (format.empty() && !is_file) return;
+    const std::vector<std::string>& forms = command.operation->forms;
+    if (!is_among(forms, format)) refuse_format(format, forms);
+}
 
 std::vector<FileToWrite> render(const Command& command, const Outcome& outcome) {
     std::vector<FileToWrite> all;

@@ -29,17 +29,13 @@ std::vector<Flag> flags_in(const std::vector<CommonFlag>& common) {
     return flags;
 }
 
-/// The forms an output may have; which of them it has depends on the verb.
-std::string forms_of(OutputKind kind) {
-    switch (kind) {
-        case OutputKind::rows: return "csv, json or npy";
-        case OutputKind::drawing: return "svg, png or pdf";
-        case OutputKind::surface: return "json, csv, npy, obj, stl, ply or patches";
-        case OutputKind::curves: return "json, csv, svg or dxf";
-        case OutputKind::report: return "json";
-        case OutputKind::curve: break;
+/// `csv, json or npy`.
+std::string listed(const std::vector<std::string>& words) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
     }
-    return "json, svg, csv, npy, dxf or gcode";
+    return text;
 }
 
 }  // namespace
@@ -62,7 +58,7 @@ std::vector<CommonFlag> common_flags(const Operation& operation) {
     std::vector<CommonFlag> flags{
         {{"output", 'o', "FILE", "write the result to this file, its form by suffix", {}, true},
          &Command::output},
-        {{"format", 0, "NAME", "the form to write where no suffix says it: " + forms_of(operation.output)},
+        {{"format", 0, "NAME", "the form to write where no suffix says it: " + listed(operation.forms)},
          &Command::format},
         {{"report", 0, "FILE", "write the report as JSON, - for standard output", {}, true},
          &Command::report}};

@@ -180,7 +180,8 @@ Outcome run(std::span<const Input> inputs, const FairSurfaceOptions& options) {
 Operation fair_surface_row() {
     return row<FairSurfaceOptions>({"fair-surface",
                                     "a noisy grid of points made fair, its curvature even",
-                                    InputKind::grid, OutputKind::rows},
+                                    InputKind::grid, OutputKind::rows, false, false,
+                                    {"obj", "ply", "stl"}},
                                    run);
 }
 

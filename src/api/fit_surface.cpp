@@ -268,7 +268,8 @@ Outcome run(std::span<const Input> inputs, const SurfaceRequest& asked) {
 
 Operation fit_surface_row() {
     return row<SurfaceRequest>({"fit-surface", "a least-squares spline surface on a grid of heights",
-                                InputKind::grid, OutputKind::surface},
+                                InputKind::grid, OutputKind::surface, false, false,
+                                {"csv", "npy", "obj", "patches", "ply", "stl"}},
                                run);
 }
 

@@ -31,6 +31,20 @@ SharedNumbers gathered(PointsView rows, int column) {
 
 }  // namespace
 
+std::vector<std::string> forms_of(OutputKind kind, const std::vector<std::string_view>& more) {
+    std::vector<std::string> forms;
+    switch (kind) {
+        case OutputKind::report: forms = {"json"}; break;
+        case OutputKind::curve: forms = {"json", "svg", "csv", "dxf"}; break;
+        case OutputKind::rows: forms = {"csv", "json", "npy"}; break;
+        case OutputKind::drawing: forms = {"svg", "png", "pdf"}; break;
+        case OutputKind::surface: forms = {"json"}; break;
+        case OutputKind::curves: forms = {"csv", "json", "npy", "svg", "dxf"}; break;
+    }
+    forms.insert(forms.end(), more.begin(), more.end());
+    return forms;
+}
+
 void require_no_jumps(std::span<const Input> inputs, const std::vector<Setting>& settings) {
     const auto require_none = [](const Curve* curve, const std::string& name) {
         if (!curve || !has_jumps(*curve)) return;

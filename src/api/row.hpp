@@ -22,7 +22,11 @@ struct Head {
     OutputKind output;
     bool many_inputs = false;
     bool takes_jumps = false;  ///< curves with jumps too
+    std::vector<std::string_view> more_forms = {};  ///< beside those of every output of its kind
 };
+
+/// The forms in which outputs of a kind are written, and `more`.
+std::vector<std::string> forms_of(OutputKind kind, const std::vector<std::string_view>& more);
 
 /// Throws `curve.jumps` where one of the curves given has jumps.
 void require_no_jumps(std::span<const Input> inputs, const std::vector<Setting>& settings);
@@ -61,7 +65,8 @@ Operation row(Head head, Outcome (*run)(std::span<const Input>, const Options&))
                 outcome.options = options_value(options);
                 return outcome;
             },
-            [](const std::vector<Setting>& settings) { options_from<Options>(settings); }};
+            [](const std::vector<Setting>& settings) { options_from<Options>(settings); },
+            forms_of(head.output, head.more_forms)};
 }
 
 /// The one curve of the inputs. Throws `input.kind`, `input.count`.

@@ -157,6 +157,9 @@ struct Operation {
         run;
     /// Throws what `run` would throw for these settings alone, whatever the inputs.
     std::function<void(const std::vector<Setting>&)> check = {};
+    /// The forms in which its output can be written, by the suffix of their files; a curve or a
+    /// surface of some kinds has not all of them.
+    std::vector<std::string> forms = {};
 };
 
 /// All operations, in the order a person meets them.

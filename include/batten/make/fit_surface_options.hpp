@@ -59,7 +59,7 @@ void visit_fields(Options& o, Visit&& visit) {
     visit("x_knots", o.x_knots, anything,
           "knot lines of constant x, rising, repeated for multiplicity; the ends may be left out");
     visit("y_knots", o.y_knots, anything, "knot lines of constant y");
-    visit("intervals", o.intervals, between(1, 1e5), "M,N: exactly so many strips in x and in y");
+    visit("intervals", o.intervals, between(1, 1e5), "M,N: exactly so many strips in x and in y; with lines N alone, in y");
     visit("rule", o.rule, anything, "how the misfit of a strip is measured");
     visit("stop", o.stop, anything, "the rule that decides on the number of strips");
     visit("distribution", o.distribution, between(0, 1),
