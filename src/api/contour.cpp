@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <concepts>
+#include <optional>
+#include <string>
 
 #include "api/row.hpp"
 #include "api/surface_picture.hpp"
+#include "batten/base/error.hpp"
+#include "batten/base/text.hpp"
 #include "batten/io/curve_file.hpp"
 #include "batten/io/dxf.hpp"
 #include "batten/io/json.hpp"
@@ -15,7 +19,7 @@ namespace {
 
 struct ContourOptions {
     std::vector<double> levels;
-    int count = 10;
+    std::optional<int> count;
     Tolerance tolerance = relative(1e-6);
 };
 
@@ -23,8 +27,8 @@ template <class Options, class Visit>
     requires std::same_as<std::remove_const_t<Options>, ContourOptions>
 void visit_fields(Options& o, Visit&& visit) {
     visit("levels", o.levels, anything, "the heights of the lines");
-    visit("count", o.count, between(1, 1000), "about so many round levels, where none are given");
-    visit("tolerance", o.tolerance, anything, "how far a line may be from its level");
+    visit("count", o.count, between(1, 1000), "where no levels are given: so many round ones, up to 2.5 times as many to make them round [10]");
+    visit("tolerance", o.tolerance, more_than(0), "how far a line may be from its level");
 }
 
 struct ContourSummary {
@@ -45,12 +49,14 @@ void visit_fields(const ContourSummary& r, Visit&& visit) {
 struct ContourReport {
     std::vector<double> levels;
     std::vector<ContourSummary> lines;
+    std::vector<std::string> notes;
 };
 
 template <class Visit>
 void visit_fields(const ContourReport& r, Visit&& visit) {
     visit("levels", r.levels, "the heights");
     visit("lines", r.lines, "what the lines are");
+    visit("notes", r.notes, "what else there is to say");
 }
 
 /// Joints row after row.
@@ -85,14 +91,24 @@ std::string json_of(const std::vector<Contour>& lines) {
 Outcome run(std::span<const Input> inputs, const ContourOptions& options) {
     const Surface& surface = surface_input(inputs);
     ContourReport report;
-    report.levels = options.levels.empty() ? round_levels(surface, options.count) : options.levels;
+    if (!options.levels.empty() && options.count) {
+        throw Error("option.unused", "count", std::to_string(*options.count),
+                    "tells how many levels are chosen, where none are given");
+    }
+    report.levels = options.levels.empty()
+                        ? round_levels(surface, options.count.value_or(usual_levels))
+                        : options.levels;
     std::vector<Contour> lines;
     const Rectangle domain = domain_of(surface);
     for (const double level : report.levels) {
+        const std::size_t before = lines.size();
         for (Contour& line : contours(surface, level, options.tolerance)) {
             report.lines.push_back({level, line.curve.is_closed(), length(line.curve).value,
                                     line.curve.breaks().size()});
             lines.push_back(std::move(line));
+        }
+        if (lines.size() == before) {
+            report.notes.push_back("no line at the level " + format_number(level));
         }
     }
     return {rows_of(lines),

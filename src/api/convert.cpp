@@ -13,7 +13,7 @@ namespace {
 struct ConvertRequest {
     ConvertOptions convert;
     MachineOptions machine;
-    int count = 65;
+    std::optional<int> count;
     std::optional<int> only;
 };
 
@@ -43,6 +43,8 @@ void visit_fields(const SurfaceForm& r, Visit&& visit) {
     visit("kind", r.kind, "what the surface is");
 }
 
+constexpr int usual_count = 65;
+
 Outcome run_surface(const Surface& surface, const ConvertRequest& request) {
     const ConvertOptions& o = request.convert;
     const bool asks_curve = o.as != Form::same || o.reverse || o.trim || o.scale ||
@@ -51,7 +53,7 @@ Outcome run_surface(const Surface& surface, const ConvertRequest& request) {
         throw Error("surface.option", "convert", "as, reverse, trim, scale, knots or degree",
                     "these are for curves; a surface takes count and format");
     }
-    const auto count = static_cast<std::size_t>(request.count);
+    const auto count = static_cast<std::size_t>(request.count.value_or(usual_count));
     const Rectangle domain = domain_of(surface);
     const bool is_product = std::holds_alternative<SplineSurface>(surface);
     return {surface, Status::met, {},
@@ -74,6 +76,10 @@ Outcome run(std::span<const Input> inputs, const ConvertRequest& request) {
         if (const auto* surface = std::get_if<Surface>(&inputs.front().content)) {
             return run_surface(*surface, request);
         }
+    }
+    if (request.count) {
+        throw Error("option.unused", "count", std::to_string(*request.count),
+                    "tells the lines of a surface; `sample` and `evaluate` take points of a curve");
     }
     const Curve& curve = curve_input(inputs);
     const Conversion made = convert(curve, request.convert);

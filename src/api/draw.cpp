@@ -1,5 +1,7 @@
 #include "batten/io/draw/drawing.hpp"
 
+#include <algorithm>
+#include <array>
 #include <concepts>
 #include <optional>
 #include <string>
@@ -9,6 +11,7 @@
 #include "api/surface_picture.hpp"
 #include "batten/measure/arc_length_map.hpp"
 
+#include "batten/base/error.hpp"
 namespace batten::api {
 namespace {
 
@@ -40,7 +43,7 @@ void visit_fields(Options& o, Visit&& visit) {
           "a panel more: the logarithmic curvature graph, its line and slope; in space that of "
           "torsion as well");
     visit("contours", o.contours, between(1, 1000),
-          "of surfaces: about so many lines of equal height [10]");
+          "of surfaces: lines of equal height at so many round levels, or up to 2.5 times as many [10]");
     visit("surface", o.surface, anything, "of surfaces: a panel more, the surface in space");
     visit("title", o.title, anything, "a line of text above the picture");
     visit("width", o.width, between(240, 4000), "width of the picture in pixels");
@@ -144,7 +147,32 @@ Outcome run(std::span<const Input> inputs, const DrawOptions& options) {
 }
 
 }  // namespace
+template <class Content>
+bool has_a(std::span<const Input> inputs) {
+    return std::any_of(inputs.begin(), inputs.end(), [](const Input& input) {
+        return std::holds_alternative<Content>(input.content);
+    });
+}
 
+/// Throws `option.unused` where an option is asked for that nothing in the picture has.
+void require_used(std::span<const Input> inputs, const DrawOptions& o) {
+    const auto require = [](bool is_asked, bool is_there, const char* option, const char* rule) {
+        if (is_asked && !is_there) throw Error("option.unused", option, "given", rule);
+    };
+    const bool has_curve = has_a<Curve>(inputs), has_surface = has_a<Surface>(inputs);
+    const char* const of_curves = "is drawn of curves, and there is none";
+    require(o.comb, has_curve, "comb", of_curves);
+    require(o.control_polygon, has_curve, "control_polygon", of_curves);
+    require(o.curvature, has_curve, "curvature", of_curves);
+    require(o.samples.has_value(), has_curve, "samples", of_curves);
+    require(o.lcg, has_curve, "lcg", of_curves);
+    require(o.index, has_a<PointsInput>(inputs), "index", "numbers points, and there are none");
+    require(o.contours.has_value(), has_surface, "contours", "is drawn of surfaces, and there is none");
+    require(o.surface, has_surface, "surface", "is drawn of surfaces, and there is none");
+}
+
+
+    require_used(inputs, options);
 Operation draw_row() {
     return row<DrawOptions>({"draw", "a picture of points, curves and surfaces", InputKind::any,
                              OutputKind::drawing, true, true},

@@ -130,6 +130,19 @@ void require_kind(const PointsInput& input, const FitTableOptions& options) {
     const bool is_file = !input.borrowed && input.shared_columns.empty();
     if (is_file && !input.columns.empty()) {
         refuse("columns", "given", "x and y name the columns of a fit of y(x)");
+/// Words that would decide nothing.
+void require_used(const FitOptions& o) {
+    if (o.knots == KnotPlacement::given && o.knots_values.empty()) {
+        throw Error("fit.options", "knots", "given", "takes the knots in place of the word");
+    }
+    const bool has_rule = o.stop != StopRule::bic && o.stop != StopRule::none;
+    const bool is_told = o.intervals || o.delta2 || o.tolerance || !o.knots_values.empty();
+    if (has_rule && is_told) {
+        throw Error("fit.options", "stop", std::string(name_of(o.stop)),
+                    "decides on the number of intervals, on which another option decides");
+    }
+}
+
     }
     if (options.fit.corrections != FitOptions{}.corrections) {
         refuse("corrections", std::to_string(options.fit.corrections),
@@ -138,6 +151,7 @@ void require_kind(const PointsInput& input, const FitTableOptions& options) {
 }
 
 Outcome run(std::span<const Input> inputs, const FitTableOptions& asked) {
+    require_used(options.fit);
     FitTableOptions options = asked;
     options.fit.progress = asked.progress;
     const bool is_stored =

@@ -186,6 +186,9 @@ void require_no_grid(const SurfaceRequest& request) {
     SurfaceRequest others = request;
     others.fit = {};
     require_only(others, {"scattered", "sigma"}, "goes with grids only, not with scattered rows");
+    if (request.fit.knots == SurfaceKnots::curved) {
+        throw Error("fit.options", "knots", "curved", "goes with grids only, not with scattered rows");
+    }
 }
 
 Outcome run_scattered(std::span<const Input> inputs, const SurfaceRequest& request) {
@@ -227,6 +230,10 @@ Outcome run_streamed(std::span<const Input> inputs, const SurfaceRequest& reques
         throw Error("fit-surface.streamed", request.scattered ? "scattered" : "lines", "given",
                     "only grids with straight knot lines are read in blocks");
     }
+    if (request.fit.knots == SurfaceKnots::curved) {
+        throw Error("fit-surface.streamed", "knots", "curved",
+                    "only grids with straight knot lines are read in blocks");
+    }
     if (!request.sigma.each.empty() || !request.sigma.column.empty()) {
         throw Error("fit-surface.streamed", "sigma", "an error a node",
                     "grids read in blocks have one error of all, or products: x_sigma, y_sigma");
@@ -249,7 +256,21 @@ Outcome run_streamed(std::span<const Input> inputs, const SurfaceRequest& reques
             surface_forms(Surface(made.surface), x, y)};
 }
 
+/// Words that would decide nothing.
+void require_used(const FitSurfaceOptions& o) {
+    const bool is_given = !o.x_knots.empty() || !o.y_knots.empty();
+    if (o.knots == SurfaceKnots::given && !is_given) {
+        throw Error("fit.options", "knots", "given", "needs x_knots or y_knots");
+    }
+    const bool has_rule = o.stop != StopRule::bic && o.stop != StopRule::none;
+    if (has_rule && (is_given || !o.intervals.empty() || o.delta2)) {
+        throw Error("fit.options", "stop", std::string(name_of(o.stop)),
+                    "decides on the number of strips, on which another option decides");
+    }
+}
+
 Outcome run(std::span<const Input> inputs, const SurfaceRequest& asked) {
+    require_used(asked.fit);
     SurfaceRequest request = asked;
     request.fit.sigma = asked.sigma.all;
     if (is_streamed(inputs, request)) return run_streamed(inputs, request);
