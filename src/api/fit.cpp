@@ -5,6 +5,8 @@
 #include <cmath>
 #include <memory>
 #include <numeric>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "api/fit_picture.hpp"
@@ -176,6 +178,9 @@ Outcome run(std::span<const Input> inputs, const FitTableOptions& asked) {
 
 }  // namespace
 
+    if (const std::optional<std::string> note = note_of_unused(input, options)) {
+        made->report.notes.push_back(*note);
+    }
 Operation fit_row() {
     return row<FitTableOptions>(
         {"fit", "the least-squares spline y(x) of data with known errors", InputKind::table,

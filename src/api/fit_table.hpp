@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <optional>
 #include <span>
@@ -26,8 +27,8 @@ struct FitTableOptions {
 template <class Options, class Visit>
     requires std::same_as<std::remove_const_t<Options>, FitTableOptions>
 void visit_fields(Options& o, Visit&& visit) {
-    visit("x", o.x, anything, "column of the abscissae [x, else the first]");
-    visit("y", o.y, anything, "column of the ordinates [y or f, else the second]");
+    visit("x", o.x, anything, "column of the abscissae [x, else the first that is free]");
+    visit("y", o.y, anything, "column of the ordinates [y or f, else the next that is free]");
     visit("sigma", o.sigma, anything,
           "the errors (standard deviations): a column, one of all, or a file of one a row [the column "
           "sigma, or the third of three without names]");
@@ -46,8 +47,16 @@ bool has_column(const Table& table, std::string_view name);
 /// The errors asked for, one a row; or a number, which goes into options.fit.sigma.
 SharedNumbers sigma_of(const PointsInput& input, FitTableOptions& options);
 
+/// The columns of y(x): those asked for, else those of the usual names, else the first that hold
+/// nothing else.
+std::array<int, 2> function_columns(const Table& table, const FitTableOptions& options);
+
 /// The columns of y(x); an error of all goes into options.fit.sigma.
 FitData data_of(const PointsInput& input, FitTableOptions& options);
+
+/// That the third of three named columns is used for nothing, and how it would be.
+std::optional<std::string> note_of_unused(const PointsInput& input,
+                                          const FitTableOptions& options);
 
 /// The fit of a table that is read in blocks.
 Outcome run_fit_streamed(std::span<const Input> inputs, const FitTableOptions& options);
