@@ -23,7 +23,7 @@ void visit_fields(Options& o, Visit&& visit) {
     visit_fields(o.convert, visit);
     visit_fields(o.machine, visit);
     visit("count", o.count, between(2, 10000),
-          "of a surface: lines each way of the grid or mesh that is written");
+          "of a surface: lines each way of the grid or mesh that is written [65]");
     visit("only", o.only, at_least(0), "of a file of several curves: this one, counted from 0");
 }
 

@@ -11,6 +11,7 @@
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
 #include "batten/io/write_points.hpp"
+#include "api/uncertain_extrema.hpp"
 #include "batten/make/fit_bands.hpp"
 #include "batten/measure/coordinate.hpp"
 #include "batten/measure/line.hpp"
@@ -63,7 +64,7 @@ struct EvaluateReport {
     std::optional<double> integral_band;
     std::optional<std::vector<double>> roots;
     std::optional<std::vector<std::optional<double>>> roots_band;
-    std::optional<std::vector<Extremum>> extrema;
+    std::optional<std::vector<UncertainExtremum>> extrema;
     std::optional<std::vector<std::optional<double>>> extrema_band;
     std::optional<Nearest> nearest;
     std::optional<std::vector<LineIntersection>> intersections;
@@ -191,7 +192,7 @@ void add_bands(EvaluateReport& report, const EvaluateOptions& options, const Ban
         report.roots_band->push_back(half_of_place(band, t, 0));
     }
     if (report.extrema) report.extrema_band.emplace();
-    for (const Extremum& e : report.extrema.value_or(std::vector<Extremum>())) {
+    for (const UncertainExtremum& e : report.extrema.value_or(std::vector<UncertainExtremum>())) {
         report.extrema_band->push_back(half_of_place(band, e.t, 1));
     }
 }
@@ -216,7 +217,7 @@ EvaluateReport answers(const Curve& curve, const EvaluateOptions& options, const
         report.integral = integral(curve, last, {options.integral[0], options.integral[1]});
     }
     if (options.roots) report.roots = roots_of(curve);
-    if (options.extrema) report.extrema = extrema(curve, last);
+    if (options.extrema) report.extrema = uncertain_extrema(curve, covariance_of(curve));
     if (band.covariance) add_bands(report, options, band);
     if (!options.nearest.empty()) report.nearest = nearest(curve, options.nearest);
     if (!options.line.empty()) {

@@ -4,6 +4,7 @@
 
 #include "api/curve_layers.hpp"
 #include "api/fit_table.hpp"
+#include "api/uncertain_extrema.hpp"
 #include "batten/shape/spline_graph.hpp"
 
 namespace batten {
@@ -13,14 +14,15 @@ namespace {
 /// What follows from a fit, with deviations.
 struct FitFeatures {
     Uncertain integral;
-    std::vector<UncertainPlace> roots, extrema;
+    std::vector<UncertainPlace> roots;
+    std::vector<UncertainExtremum> extrema;
 };
 
 template <class Visit>
 void visit_fields(const FitFeatures& r, Visit&& visit) {
     visit("integral", r.integral, "over the data's range");
     visit("roots", r.roots, "where the spline is 0");
-    visit("extrema", r.extrema, "places of the extrema");
+    visit("extrema", r.extrema, "minima and maxima, and how sure they are");
 }
 
 }  // namespace
@@ -29,7 +31,8 @@ Value report_of(const Fit& made) {
     Value report = report_value(made.report);
     if (!made.report.undetermined.empty()) return report;
     const FitCovariance& c = made.covariance;
-    const FitFeatures features{c.integral(made.spline.domain()), c.roots(), c.extrema()};
+    const FitFeatures features{c.integral(made.spline.domain()), c.roots(),
+                               uncertain_extrema(graph_in_parts(made.spline), &c)};
     const Value more = report_value(features);
     for (const auto& entry : *more.map()) report.map()->push_back(entry);
     return report;
