@@ -1,6 +1,7 @@
 #include "batten/measure/compare.hpp"
 
 #include "api/row.hpp"
+#include "api/spline_panel.hpp"
 #include "batten/base/error.hpp"
 
 namespace batten::api {
@@ -9,9 +10,14 @@ namespace {
 Drawing picture(const Curve& curve, const std::variant<Points, Curve>& other,
                 const CompareReport& report) {
     Drawing drawing;
+    const auto* other_curve = std::get_if<Curve>(&other);
+    if (function_of(curve) && (!other_curve || function_of(*other_curve))) {
+        const AxisNames names;
+        drawing.panels.front() = chart({}, names.x, names.y);
+    }
     drawing.add(CurveLayer{curve, "curve", {}});
-    if (const Curve* second = std::get_if<Curve>(&other)) {
-        drawing.add(CurveLayer{*second, "compared with", {}});
+    if (other_curve) {
+        drawing.add(CurveLayer{*other_curve, "compared with", {}});
     } else {
         drawing.add(PointsLayer{std::get<Points>(other), "compared with"});
     }

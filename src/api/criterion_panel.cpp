@@ -12,7 +12,9 @@ Interval whole_range(double first, double last) {
     constexpr double narrowest = 6, air = 0.04;
     const double lo = std::min(first, last), hi = std::max(first, last);
     const double half = std::max(0.5 * narrowest, (0.5 + air) * (hi - lo));
-    return {0.5 * (lo + hi) - half, 0.5 * (lo + hi) + half};
+    // There are no counts below 1.
+    const double start = std::max(0.5 * (lo + hi) - half, 0.0);
+    return {start, start + 2 * half};
 }
 
 /// The criterion as people write it.

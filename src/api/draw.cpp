@@ -7,11 +7,13 @@
 #include <string>
 
 #include "api/curve_layers.hpp"
+#include "api/fit_table.hpp"
 #include "api/row.hpp"
+#include "api/spline_panel.hpp"
 #include "api/surface_picture.hpp"
+#include "batten/base/error.hpp"
 #include "batten/measure/arc_length_map.hpp"
 
-#include "batten/base/error.hpp"
 namespace batten::api {
 namespace {
 
@@ -99,54 +101,52 @@ void add_graph(std::vector<Panel>& plots, const Curve& curve, const std::string&
     plots.push_back(std::move(plot));
 }
 
+/// Whether all curves are graphs y(x), whose axes have units of their own. A comb stands upright on
+/// its curve only where they have one.
+bool shows_functions(std::span<const Input> inputs, const DrawOptions& options) {
+    bool has_curve = false;
+    for (const Input& input : inputs) {
+        const Curve* curve = std::get_if<Curve>(&input.content);
+        if (curve && !function_of(*curve)) return false;
+        has_curve = has_curve || curve;
+    }
+    return has_curve && !options.comb;
+}
+
+/// The points of a table; beside graphs those that a fit of y(x) would take.
+SharedPoints points_shown(const PointsInput& table, bool are_functions) {
+    const bool has_choice = are_functions && !table.borrowed && table.columns.size() > 2;
+    if (!has_choice) return points_of(table);
+    const auto [x, y] = function_columns(table.table, {});
+    return points_of({table.table, {x, y}});
+}
+
+/// A chart whose axes are called as in the first table with names.
+void make_chart(Panel& panel, std::span<const Input> inputs) {
+    AxisNames names;
+    for (const Input& input : inputs) {
+        const auto* table = std::get_if<PointsInput>(&input.content);
+        if (!table || table->table.names.empty()) continue;
+        const auto [x, y] = table->columns.size() == 2
+                                ? std::array{table->columns[0], table->columns[1]}
+                                : function_columns(table->table, {});
+        const auto name = [&](int column) {
+            return table->table.names[static_cast<std::size_t>(column)];
+        };
+        names = {name(x), name(y)};
+        break;
+    }
+    panel.kind = PanelKind::chart;
+    panel.x_label = names.x;
+    panel.y_label = names.y;
+}
+
 /// Plots along a curve need one without jumps.
 void require_whole(const Curve& curve, const std::string& name, const DrawOptions& options) {
     if (!has_jumps(curve) || (!options.curvature && !options.lcg)) return;
     throw Error("curve.jumps", name, "curvature or lcg", "these are drawn of curves without jumps");
 }
 
-Outcome run(std::span<const Input> inputs, const DrawOptions& options) {
-    Drawing drawing;
-    drawing.title = options.title;
-    drawing.width = options.width;
-    std::vector<Panel> plots;
-    DrawReport report;
-    const auto legend = [&](const Input& input) { return inputs.size() > 1 ? input.name : ""; };
-    for (const Input& input : inputs) {
-        if (const Curve* curve = std::get_if<Curve>(&input.content)) {
-            require_whole(*curve, input.name, options);
-            const Tone tone = static_cast<Tone>(report.curves % tones);
-            add_curve(drawing, *curve, legend(input), tone, options);
-            if (options.curvature) plots.push_back(curvature_plot(*curve, legend(input)));
-            if (options.lcg) add_graph(plots, *curve, legend(input), report);
-            if (options.lcg && curve->dim() == 3) {
-                plots.push_back(torsion_graph_plot(*curve, legend(input)));
-            }
-            ++report.curves;
-        }
-    }
-    for (const Input& input : inputs) {
-        if (const auto* surface = std::get_if<Surface>(&input.content)) {
-            const int levels = options.contours.value_or(usual_levels);
-            plots.push_back(surface_map(*surface, levels));
-            if (options.surface) plots.push_back(surface_relief(*surface, levels));
-            ++report.surfaces;
-        }
-    }
-    for (const Input& input : inputs) {
-        if (const auto* table = std::get_if<PointsInput>(&input.content)) {
-            const SharedPoints points = points_of(*table);
-            report.points += points.size();
-            drawing.add(PointsLayer{Points(points), legend(input), Marker::open, {},
-                                    options.index ? PointLabels::index : PointLabels::none});
-        }
-    }
-    if (report.curves + report.points == 0 && report.surfaces > 0) drawing.panels.clear();
-    for (Panel& plot : plots) drawing.panels.push_back(std::move(plot));
-    return {drawing, Status::met, {}, report_value(report), [drawing] { return drawing; }};
-}
-
-}  // namespace
 template <class Content>
 bool has_a(std::span<const Input> inputs) {
     return std::any_of(inputs.begin(), inputs.end(), [](const Input& input) {
@@ -171,8 +171,52 @@ void require_used(std::span<const Input> inputs, const DrawOptions& o) {
     require(o.surface, has_surface, "surface", "is drawn of surfaces, and there is none");
 }
 
-
+Outcome run(std::span<const Input> inputs, const DrawOptions& options) {
     require_used(inputs, options);
+    Drawing drawing;
+    drawing.title = options.title;
+    drawing.width = options.width;
+    std::vector<Panel> plots;
+    DrawReport report;
+    const bool are_functions = shows_functions(inputs, options);
+    if (are_functions) make_chart(drawing.panels.front(), inputs);
+    const auto legend = [&](const Input& input) { return inputs.size() > 1 ? input.name : ""; };
+    for (const Input& input : inputs) {
+        if (const Curve* curve = std::get_if<Curve>(&input.content)) {
+            require_whole(*curve, input.name, options);
+            const Tone tone = static_cast<Tone>(report.curves % tones);
+            add_curve(drawing, *curve, legend(input), tone, options);
+            if (options.curvature) plots.push_back(curvature_plot(*curve, legend(input)));
+            if (options.lcg) add_graph(plots, *curve, legend(input), report);
+            if (options.lcg && curve->dim() == 3) {
+                plots.push_back(torsion_graph_plot(*curve, legend(input)));
+            }
+            ++report.curves;
+        }
+    }
+    for (const Input& input : inputs) {
+        if (const auto* surface = std::get_if<Surface>(&input.content)) {
+            const int levels = options.contours.value_or(usual_levels);
+            plots.push_back(surface_map(*surface, levels));
+            if (options.surface) plots.push_back(surface_relief(*surface, levels));
+            ++report.surfaces;
+        }
+    }
+    for (const Input& input : inputs) {
+        if (const auto* table = std::get_if<PointsInput>(&input.content)) {
+            const SharedPoints points = points_shown(*table, are_functions);
+            report.points += points.size();
+            drawing.add(PointsLayer{Points(points), legend(input), Marker::open, {},
+                                    options.index ? PointLabels::index : PointLabels::none});
+        }
+    }
+    if (report.curves + report.points == 0 && report.surfaces > 0) drawing.panels.clear();
+    for (Panel& plot : plots) drawing.panels.push_back(std::move(plot));
+    return {drawing, Status::met, {}, report_value(report), [drawing] { return drawing; }};
+}
+
+}  // namespace
+
 Operation draw_row() {
     return row<DrawOptions>({"draw", "a picture of points, curves and surfaces", InputKind::any,
                              OutputKind::drawing, true, true},

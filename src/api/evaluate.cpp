@@ -1,11 +1,14 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <optional>
 #include <string>
 
 #include "api/curve_layers.hpp"
+#include "api/knot_marks.hpp"
 #include "api/row.hpp"
+#include "api/spline_panel.hpp"
 #include "api/surface_picture.hpp"
 #include "api/surface_values.hpp"
 #include "batten/base/error.hpp"
@@ -232,7 +235,60 @@ EvaluateReport answers(const Curve& curve, const EvaluateOptions& options, const
     return report;
 }
 
-Drawing picture(const Curve& curve, const std::vector<double>& t) {
+/// Roots and extrema as dots.
+void add_places(Panel& panel, const EvaluateReport& report) {
+    Points roots(0, 2), extrema(0, 2);
+    for (const double t : report.roots.value_or(std::vector<double>())) {
+        roots.push_back(std::array{t, 0.0});
+    }
+    for (const UncertainExtremum& e : report.extrema.value_or(std::vector<UncertainExtremum>())) {
+        extrema.push_back(std::array{e.t, e.value});
+    }
+    const auto add = [&](const Points& points, const char* name, Tone tone) {
+        if (points.empty()) return;
+        panel.add(PointsLayer{points, name, Marker::closed, {}, PointLabels::none, tone});
+    };
+    add(roots, "roots", Tone::teal);
+    add(extrema, "extrema", Tone::violet);
+}
+
+/// A spline y(x) with its band, and the derivatives that are not 0 everywhere.
+Drawing function_picture(const Curve& curve, const SplineFunction& spline,
+                         const std::vector<double>& t, const EvaluateReport& report,
+                         const EvaluateOptions& options) {
+    const AxisNames names;
+    const Band sure = band_asked(curve, options);
+    const NamedBand band{sure.covariance, sure.factor,
+                         options.band ? format_number(*options.band) + " % band" : ""};
+    const char* const name = "spline";
+    Drawing drawing;
+    const int panels = std::min(options.derivatives, spline.degree());
+    if (panels > 0) {
+        drawing.width = 1000;
+        drawing.columns = 2;
+    }
+    Panel& values = drawing.panels.front() = chart(panels > 0 ? "values" : "", names.x, names.y);
+    Interval covered = extent_of_runs(traced(spline, 0));
+    if (band.covariance) {
+        const BandEdges edges = band_around(spline, 0, *band.covariance, band.factor);
+        values.add(band_layer(edges.x, edges.lower, edges.upper, band.name));
+        covered = covering_band(covered, edges.lower, edges.upper);
+    }
+    values.add(PolylineLayer{traced(spline, 0), name, {Tone::accent, Dash::solid, 1.8}});
+    if (!t.empty()) values.add(TicksLayer{curve, t, {}});
+    add_places(values, report);
+    add_knot_marks(values, spline, widened(covered, covered, 0));
+    for (int order = 1; order <= panels; ++order) {
+        drawing.panels.push_back(derivative_panel(spline, order, names, band, name));
+    }
+    return drawing;
+}
+
+Drawing picture(const Curve& curve, const std::vector<double>& t, const EvaluateReport& report,
+                const EvaluateOptions& options) {
+    if (const std::optional<SplineFunction> spline = function_of(curve)) {
+        return function_picture(curve, *spline, t, report, options);
+    }
     Drawing drawing;
     add_parts(drawing, curve);
     if (!t.empty()) drawing.add(TicksLayer{curve, t, {}});
@@ -279,7 +335,7 @@ Outcome run(std::span<const Input> inputs, const EvaluateOptions& options) {
     report.points = t.size();
     return {with_band(values(curve, t, options.derivatives), curve, band, options.derivatives),
             Status::met, {}, report_value(report),
-            [curve, t] { return picture(curve, t); }};
+            [curve, t, report, options] { return picture(curve, t, report, options); }};
 }
 
 }  // namespace

@@ -107,31 +107,29 @@ SharedPoints points_in(const PointsInput& input, const std::vector<int>& columns
     return SharedPoints(std::move(points));
 }
 
+std::vector<std::string> names_of_columns(const Table& table, const std::vector<int>& columns) {
+    std::vector<std::string> names = coordinate_names(static_cast<int>(columns.size()));
+    for (std::size_t k = 0; k < names.size() && !table.names.empty(); ++k) {
+        names[k] = table.names[static_cast<std::size_t>(columns[k])];
+    }
+    return names;
+}
+
 Outcome run_parametric(const PointsInput& input, FitTableOptions options) {
     const SharedNumbers sigma = sigma_of(input, options);
-    const SharedPoints points = points_in(input, columns_of(input, options));
+    const std::vector<int> columns = columns_of(input, options);
+    const SharedPoints points = points_in(input, columns);
+    const CurveFitData data{points, sigma, names_of_columns(input.table, columns)};
     auto made = std::make_shared<CurveFit>(
         naming_lines(input, [&] { return fit_curve(points, sigma, options.fit); }));
     made->report.notes.insert(made->report.notes.begin(), input.table.notes.begin(),
                               input.table.notes.end());
     note_lines_of_rejected(made->report, input.table);
     return {Curve(made->curve), made->report.status, {}, report_value(made->report),
-            [points, made, o = options.fit] { return fit_curve_picture(points, *made, o); },
+            [data, made, o = options.fit] { return fit_curve_picture(data, *made, o); },
             {}, [points, made] { return distance_rows(points, *made); }};
 }
 
-/// Options of the other kind of fit, or two that say the same.
-void require_kind(const PointsInput& input, const FitTableOptions& options) {
-    const auto refuse = [](const char* option, std::string value, const char* rule) {
-        throw Error("fit.options", option, std::move(value), rule);
-    };
-    if (options.sigma.is_given() && !options.fit.sigma_model.empty()) {
-        refuse("sigma_model", "given", "sigma says already what the errors are");
-    }
-    if (options.parametric) return;
-    const bool is_file = !input.borrowed && input.shared_columns.empty();
-    if (is_file && !input.columns.empty()) {
-        refuse("columns", "given", "x and y name the columns of a fit of y(x)");
 /// Words that would decide nothing.
 void require_used(const FitOptions& o) {
     if (o.knots == KnotPlacement::given && o.knots_values.empty()) {
@@ -145,6 +143,19 @@ void require_used(const FitOptions& o) {
     }
 }
 
+/// Options of the other kind of fit, or two that say the same.
+void require_kind(const PointsInput& input, const FitTableOptions& options) {
+    const auto refuse = [](const char* option, std::string value, const char* rule) {
+        throw Error("fit.options", option, std::move(value), rule);
+    };
+    if (options.sigma.is_given() && !options.fit.sigma_model.empty()) {
+        refuse("sigma_model", "given", "sigma says already what the errors are");
+    }
+    require_used(options.fit);
+    if (options.parametric) return;
+    const bool is_file = !input.borrowed && input.shared_columns.empty();
+    if (is_file && !input.columns.empty()) {
+        refuse("columns", "given", "x and y name the columns of a fit of y(x)");
     }
     if (options.fit.corrections != FitOptions{}.corrections) {
         refuse("corrections", std::to_string(options.fit.corrections),
@@ -153,7 +164,6 @@ void require_used(const FitOptions& o) {
 }
 
 Outcome run(std::span<const Input> inputs, const FitTableOptions& asked) {
-    require_used(options.fit);
     FitTableOptions options = asked;
     options.fit.progress = asked.progress;
     const bool is_stored =
@@ -168,6 +178,9 @@ Outcome run(std::span<const Input> inputs, const FitTableOptions& asked) {
     fill_sigma(*data, *made, options.fit);
     made->report.notes.insert(made->report.notes.begin(), input.table.notes.begin(),
                               input.table.notes.end());
+    if (const std::optional<std::string> note = note_of_unused(input, options)) {
+        made->report.notes.push_back(*note);
+    }
     note_lines_of_rejected(made->report, input.table);
     const Curve curve = curve_of(*made);
     return {curve, made->report.status, {}, report_of(*made),
@@ -178,9 +191,6 @@ Outcome run(std::span<const Input> inputs, const FitTableOptions& asked) {
 
 }  // namespace
 
-    if (const std::optional<std::string> note = note_of_unused(input, options)) {
-        made->report.notes.push_back(*note);
-    }
 Operation fit_row() {
     return row<FitTableOptions>(
         {"fit", "the least-squares spline y(x) of data with known errors", InputKind::table,

@@ -9,55 +9,28 @@
 #include "api/criterion_panel.hpp"
 #include "api/knot_marks.hpp"
 #include "api/picture_text.hpp"
+#include "api/spline_panel.hpp"
 #include "batten/base/text.hpp"
 
 namespace batten::api {
 namespace {
 
-constexpr int samples_a_piece = 24;
 constexpr std::size_t most_error_bars = 300;  // more are a grey band of their own
 constexpr double seen_share = 0.015;          // of the panel: shorter bars hide behind their dots
-// How far bars and bands are shown beyond data and fit, in heights of these.
+// How far bars are shown beyond data and fit, in heights of these.
 constexpr double bar_room = 0.5;
-constexpr double band_room = 0.3;
+constexpr const char* band_name = "95 % band";
 constexpr std::size_t most_curve_ticks = 120;  // more would paint the curve
 
-Panel chart(std::string caption, const std::string& x_label, std::string y_label) {
-    Panel panel;
-    panel.caption = std::move(caption);
-    panel.kind = PanelKind::chart;
-    panel.x_label = x_label;
-    panel.y_label = std::move(y_label);
-    return panel;
-}
-
-/// The spline or a derivative of it as runs, one for each stretch without a jump.
-std::vector<Points> traced(const SplineFunction& spline, int derivative) {
-    std::vector<Points> runs;
-    const std::span<const double> breaks = spline.breaks();
-    for (std::size_t i = 0; i < spline.pieces(); ++i) {
-        const double start = spline.value_on(i, breaks[i], derivative);
-        const bool jumps = runs.empty() || runs.back()(runs.back().size() - 1, 1) != start;
-        const bool is_near = !runs.empty() &&
-                             std::fabs(runs.back()(runs.back().size() - 1, 1) - start) <=
-                                 1e-9 * (std::fabs(start) + 1);
-        if (runs.empty() || (jumps && !is_near)) runs.emplace_back(0, 2);
-        for (int k = 0; k <= samples_a_piece; ++k) {
-            const double x = k == samples_a_piece ? breaks[i + 1]
-                                                  : breaks[i] + (breaks[i + 1] - breaks[i]) * k /
-                                                                    samples_a_piece;
-            runs.back().push_back(std::array{x, spline.value_on(i, x, derivative)});
-        }
+/// Dots with weight, and those without.
+void add_dots(Panel& panel, const Points& kept, const Points& left) {
+    if (!kept.empty()) {
+        panel.add(PointsLayer{kept, "data", Marker::open, {}, PointLabels::none, Tone::ink});
     }
-    return runs;
-}
-
-Points outline(std::span<const double> x, std::span<const double> lower,
-               std::span<const double> upper) {
-    Points points(0, 2);
-    for (std::size_t i = 0; i < x.size(); ++i) points.push_back(std::array{x[i], lower[i]});
-    for (std::size_t i = x.size(); i-- > 0;) points.push_back(std::array{x[i], upper[i]});
-    return points;
+    if (!left.empty()) {
+        panel.add(PointsLayer{left, "no weight", Marker::closed, {}, PointLabels::none,
+                              Tone::ochre});
+    }
 }
 
 /// Ordinates over the samples: those with weight, and those without; nothing where there is no
@@ -73,13 +46,7 @@ void add_dots(Panel& panel, const FitData& data,
         Points& some = has_weight[i] != 0 && std::isfinite(data.sigma[i]) ? kept : left;
         some.push_back(std::array{data.x[i], *ordinates[i]});
     }
-    if (!kept.empty()) {
-        panel.add(PointsLayer{kept, "data", Marker::open, {}, PointLabels::none, Tone::grey});
-    }
-    if (!left.empty()) {
-        panel.add(PointsLayer{left, "no weight", Marker::closed, {}, PointLabels::none,
-                              Tone::accent});
-    }
+    add_dots(panel, kept, left);
 }
 
 /// Error bars where they can be seen; what they cover is added to `covered`.
@@ -87,7 +54,7 @@ void add_bars(Panel& panel, const FitData& data, Interval& covered) {
     const std::span<const double> sigma = data.sigma;
     const double tallest = *std::max_element(sigma.begin(), sigma.end());
     if (data.x.size() > most_error_bars || tallest <= seen_share * covered.length()) return;
-    PolylineLayer bars{{}, "errors ±σ", {Tone::grey, Dash::solid, 0.9}};
+    PolylineLayer bars{{}, "errors ±σ", {Tone::grey, Dash::solid, 0.7}};
     for (std::size_t i = 0; i < data.x.size(); ++i) {
         const double lo = data.y[i] - data.sigma[i], hi = data.y[i] + data.sigma[i];
         if (!std::isfinite(hi - lo)) continue;
@@ -97,29 +64,13 @@ void add_bars(Panel& panel, const FitData& data, Interval& covered) {
     if (!bars.runs.empty()) panel.add(std::move(bars));
 }
 
-/// A spline's or a derivative's extent.
-Interval extent_of_runs(const std::vector<Points>& runs) {
-    Interval extent{runs.front()(0, 1), runs.front()(0, 1)};
-    for (const Points& run : runs) {
-        for (std::size_t i = 0; i < run.size(); ++i) {
-            extent = {std::min(extent.lo, run(i, 1)), std::max(extent.hi, run(i, 1))};
-        }
+/// Where the next measurements tell most.
+void add_suggestions(Panel& panel, const std::vector<double>& places, Interval content) {
+    PolylineLayer lines{{}, "suggested", {Tone::teal, Dash::dashed, 1.2}};
+    for (const double x : places) {
+        lines.runs.emplace_back(std::vector<double>{x, content.lo, x, content.hi}, 2);
     }
-    return extent;
-}
-
-double median(std::span<const double> values) {
-    std::vector<double> sorted(values.begin(), values.end());
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    return *middle;
-}
-
-/// What is shown of a band: as wide as it is in the middle of its widths, and little of where it is
-/// wider; between knots that are barely determined it may be a hundred times so.
-Interval with_band(Interval covered, std::span<const double> lower, std::span<const double> upper) {
-    covered = {std::min(covered.lo, median(lower)), std::max(covered.hi, median(upper))};
-    return widened(covered, {extent_of(lower).lo, extent_of(upper).hi}, band_room);
+    if (!lines.runs.empty()) panel.add(std::move(lines));
 }
 
 Panel data_panel(const FitData& data, const Fit& fit) {
@@ -132,14 +83,18 @@ Panel data_panel(const FitData& data, const Fit& fit) {
     add_bars(panel, data, covered);
     covered = widened(level, covered, bar_room);
     covered = {std::min(covered.lo, fitted.lo), std::max(covered.hi, fitted.hi)};
-    add_dots(panel, data, {y.begin(), y.end()}, fit.report.rejected);
+    // A few samples lie upon the line, many would hide it.
+    const bool are_few = data.x.size() <= most_error_bars;
+    if (!are_few) add_dots(panel, data, {y.begin(), y.end()}, fit.report.rejected);
     if (!band.x.empty()) {
-        panel.add(RegionsLayer{{outline(band.x, band.lower, band.upper)}, "95 % band",
-                               Tone::accent});
-        covered = with_band(covered, band.lower, band.upper);
+        panel.add(band_layer(band.x, band.lower, band.upper, band_name));
+        covered = covering_band(covered, band.lower, band.upper);
     }
     panel.add(PolylineLayer{std::move(runs), "fit", {Tone::accent, Dash::solid, 1.8}});
-    add_knot_marks(panel, fit.spline, widened(covered, covered, 0));
+    if (are_few) add_dots(panel, data, {y.begin(), y.end()}, fit.report.rejected);
+    const Interval content = widened(covered, covered, 0);
+    add_suggestions(panel, fit.report.suggestions, content);
+    add_knot_marks(panel, fit.spline, content);
     return panel;
 }
 
@@ -165,26 +120,40 @@ Panel residual_panel(const FitData& data, const Fit& fit) {
     return panel;
 }
 
-Panel derivative_panel(const FitData& data, const Fit& fit) {
-    Panel panel = chart("derivative", data.x_name, "d" + data.y_name + "/d" + data.x_name);
-    const std::vector<Points> runs = traced(fit.spline, 1);
-    std::vector<double> lower, upper, x;
-    Interval covered = extent_of_runs(runs);
-    if (fit.report.undetermined.empty() && fit.spline.degree() > 1) {
-        const double factor = fit.covariance.factor_95();
-        const Interval domain = fit.spline.domain();
-        for (int i = 0; i <= 200; ++i) {
-            const double at = domain.clamp(domain.lo + domain.length() * (i / 200.0));
-            const double half = factor * fit.covariance.deviation(at, 1);
-            x.push_back(at);
-            lower.push_back(fit.spline(at, 1) - half);
-            upper.push_back(fit.spline(at, 1) + half);
-        }
-        panel.add(RegionsLayer{{outline(x, lower, upper)}, "95 % band", Tone::accent});
-        covered = with_band(covered, lower, upper);
+/// The distance of point i from its place on the curve; in the plane positive to the left.
+double distance_from(const Jet& jet, std::span<const double> point) {
+    double sum = 0;
+    for (std::size_t k = 0; k < point.size(); ++k) {
+        sum += (point[k] - jet[0][k]) * (point[k] - jet[0][k]);
     }
-    panel.add(PolylineLayer{runs, "fit", {Tone::accent, Dash::solid, 1.8}});
-    add_knot_marks(panel, fit.spline, widened(covered, covered, 0));
+    const bool is_right = point.size() == 2 && jet[1][0] * (point[1] - jet[0][1]) <
+                                                   jet[1][1] * (point[0] - jet[0][0]);
+    return is_right ? -std::sqrt(sum) : std::sqrt(sum);
+}
+
+Panel distance_panel(const CurveFitData& data, const CurveFit& fit, const Curve& curve) {
+    const bool is_plane = data.points.dim() == 2;
+    Panel panel = chart(is_plane ? "residuals, positive on the left" : "residuals", "t",
+                        "distance / σ");
+    std::vector<char> has_weight(data.points.size(), 1);
+    for (const std::size_t i : fit.report.rejected) has_weight[i] = 0;
+    Points kept(0, 2), left(0, 2);
+    Interval y{is_plane ? -1.0 : 0.0, 1};
+    for (std::size_t i = 0; i < data.points.size(); ++i) {
+        const double sigma = data.sigma.empty() ? fit.report.sigma.value_or(1) : data.sigma[i];
+        if (!std::isfinite(sigma) || !(sigma > 0)) continue;
+        const double t = curve.domain().clamp(fit.parameters[i]);
+        const double e = distance_from(curve.jet(t, 1), data.points.view()[i]) / sigma;
+        (has_weight[i] != 0 ? kept : left).push_back(std::array{t, e});
+        y = {std::min(y.lo, e), std::max(y.hi, e)};
+    }
+    const Interval x = curve.domain();
+    const double low = is_plane ? -1 : 0;
+    Points one(std::vector<double>{x.lo, low, x.hi, low, x.hi, 1, x.lo, 1}, 2);
+    panel.add(RegionsLayer{{std::move(one)}, "±σ", Tone::blue});
+    panel.add(PolylineLayer{{Points(std::vector<double>{x.lo, 0, x.hi, 0}, 2)}, {},
+                            {Tone::ink, Dash::solid, 0.8}});
+    add_dots(panel, kept, left);
     return panel;
 }
 
@@ -208,25 +177,38 @@ Drawing fit_picture(const FitData& data, const Fit& fit, const FitOptions& optio
     drawing.columns = 2;
     drawing.panels = {data_panel(data, fit), residual_panel(data, fit)};
     if (fit.report.path.size() > 1) drawing.panels.push_back(criterion_panel(fit.report, options));
-    if (fit.spline.degree() > 0) drawing.panels.push_back(derivative_panel(data, fit));
+    if (fit.spline.degree() > 0) {
+        const bool is_known = fit.report.undetermined.empty();
+        const FitCovariance* const covariance = is_known ? &fit.covariance : nullptr;
+        drawing.panels.push_back(
+            derivative_panel(fit.spline, 1, {data.x_name, data.y_name},
+                             {covariance, is_known ? covariance->factor_95() : 0, band_name},
+                             "fit"));
+    }
     return drawing;
 }
 
-Drawing fit_curve_picture(PointsView points, const CurveFit& fit, const FitOptions& options) {
+Drawing fit_curve_picture(const CurveFitData& data, const CurveFit& fit, const FitOptions& options) {
     Drawing drawing;
-    drawing.title = "Least-squares curve near " + std::to_string(points.size()) + " points";
+    drawing.title =
+        "Least-squares curve near " + std::to_string(data.points.size()) + " points";
     drawing.subtitle = subtitle(fit.report);
     drawing.width = 1000;
-    drawing.panels[0].caption = "points and curve";
+    Panel& plane = drawing.panels[0];
+    plane.caption = "points and curve";
+    plane.x_label = data.names[0];
+    plane.y_label = data.names[1];
+    if (data.names.size() > 2) plane.z_label = data.names[2];
     const Curve curve(fit.curve);
-    drawing.add(PointsLayer{Points(points), "data", Marker::open, {}, PointLabels::none, Tone::grey});
-    drawing.add(CurveLayer{curve, "fit", {Tone::accent, Dash::solid, 1.8}});
+    plane.add(PointsLayer{Points(data.points), "data", Marker::open, {}, PointLabels::none, Tone::ink});
+    plane.add(CurveLayer{curve, "fit", {Tone::accent, Dash::solid, 1.8}});
     std::vector<double> at(curve.breaks().begin(), curve.breaks().end());
     if (at.size() <= most_curve_ticks) {
-        drawing.add(TicksLayer{curve, at, "knots"});
+        plane.add(TicksLayer{curve, at, "knots"});
     } else {
-        drawing.panels[0].caption += ", its " + std::to_string(at.size()) + " knots too dense to show";
+        plane.caption += ", its " + std::to_string(at.size()) + " knots too dense to show";
     }
+    drawing.panels.push_back(distance_panel(data, fit, curve));
     if (fit.report.path.size() > 1) drawing.panels.push_back(criterion_panel(fit.report, options));
     return drawing;
 }

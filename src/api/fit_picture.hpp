@@ -23,7 +23,14 @@ struct FitData {
 /// 95 % band and the knots; residuals over sigma; what the stopping rule saw; the derivative.
 Drawing fit_picture(const FitData& data, const Fit& fit, const FitOptions& options);
 
-/// Points and curve with its knots; what the stopping rule saw.
-Drawing fit_curve_picture(PointsView points, const CurveFit& fit, const FitOptions& options);
+/// Points a curve was fitted to; sigma has one number a point, or none where one holds for all.
+struct CurveFitData {
+    SharedPoints points;
+    SharedNumbers sigma;
+    std::vector<std::string> names;  ///< of the coordinates
+};
+
+/// Points and curve with its knots; how far the curve passes; what the stopping rule saw.
+Drawing fit_curve_picture(const CurveFitData& data, const CurveFit& fit, const FitOptions& options);
 
 }  // namespace batten::api

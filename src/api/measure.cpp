@@ -1,6 +1,7 @@
 #include "batten/measure/measure.hpp"
 
 #include "api/row.hpp"
+#include "api/spline_panel.hpp"
 #include "api/surface_picture.hpp"
 #include "batten/measure/surface_measures.hpp"
 
@@ -9,7 +10,13 @@ namespace {
 
 Drawing picture(const Curve& curve) {
     Drawing drawing;
-    if (curve.dim() == 2) drawing.add(CombLayer{curve, "curvature"});
+    const bool is_function = function_of(curve).has_value();
+    if (is_function) {
+        const AxisNames names;
+        drawing.panels.front() = chart({}, names.x, names.y);
+    } else if (curve.dim() == 2) {
+        drawing.add(CombLayer{curve, "curvature"});
+    }
     drawing.add(CurveLayer{curve, {}, {}});
     drawing.panels.front().caption = "curve";
     drawing.panels.push_back(curvature_plot(curve));

@@ -40,6 +40,69 @@ TEST(Picture, OfAFitHasNoCriterionWhereKnotsAreGiven) {
     EXPECT_EQ(drawn({{"knots", "equal"}, {"degree", "0"}}).panels.size(), 3u);
 }
 
+const PointsLayer* dots_named(const Panel& panel, const std::string& name) {
+    for (const Layer& layer : panel.layers) {
+        const auto* dots = std::get_if<PointsLayer>(&layer);
+        if (dots && dots->name == name) return dots;
+    }
+    return nullptr;
+}
+
+TEST(Picture, OfAFitTellsSamplesWithoutWeightFromTheStepChosen) {
+    const Drawing drawing = drawn({{"robust", "reject"}});
+    const PointsLayer* left = dots_named(drawing.panels[0], "no weight");
+    const PointsLayer* chosen = dots_named(drawing.panels[2], "chosen");
+    ASSERT_TRUE(left && chosen);
+    EXPECT_NE(left->tone, chosen->tone);
+    EXPECT_GE(drawing.panels[2].x_range->lo, 0);
+}
+
+TEST(Picture, OfAFitShowsSamplesOverTheLineAndWhereToMeasureNext) {
+    const Panel panel = drawn({{"suggest", "3"}}).panels[0];
+    std::size_t line = 0, data = 0, suggested = 0;
+    for (std::size_t k = 0; k < panel.layers.size(); ++k) {
+        if (const auto* lines = std::get_if<PolylineLayer>(&panel.layers[k])) {
+            if (lines->name == "fit") line = k;
+            if (lines->name == "suggested") suggested = lines->runs.size();
+        }
+        const auto* dots = std::get_if<PointsLayer>(&panel.layers[k]);
+        if (dots && dots->name == "data") data = k;
+    }
+    EXPECT_GT(data, line);
+    EXPECT_EQ(suggested, 3u);
+}
+
+TEST(Picture, OfAParametricFitNamesItsAxesAndShowsResiduals) {
+    std::string text = "east,north\n";
+    for (int i = 0; i <= 80; ++i) {
+        const double t = 0.05 * i, r = 1 + (i % 2 == 0 ? 0.01 : -0.01);
+        text += format_fixed(r * std::cos(t), 6) + "," + format_fixed(r * std::sin(t), 6) + "\n";
+    }
+    const Input input{"arc.csv", PointsInput{parse_table({"arc.csv", text}), {}}};
+    const Drawing drawing = find_operation("fit")
+                                ->run({&input, 1}, {{"parametric", "true"}, {"sigma", "0.01"}}, {})
+                                .draw();
+    EXPECT_EQ(drawing.panels[0].x_label, "east");
+    EXPECT_EQ(drawing.panels[0].y_label, "north");
+    const PointsLayer* residuals = dots_named(drawing.panels[1], "data");
+    ASSERT_TRUE(residuals);
+    ASSERT_EQ(residuals->points.size(), 81u);
+    // Every other point lies on the left of an arc that turns left: inside.
+    for (std::size_t i = 10; i < 70; ++i) {
+        EXPECT_NEAR(residuals->points(i, 1), i % 2 == 0 ? -1 : 1, 0.3) << i;
+    }
+}
+
+TEST(Picture, OfAFitKeepsThePowerOfTenWhereNamesAreCut) {
+    const std::string name = "photocurrent of the detector behind the second window of the chamber";
+    Drawing drawing;
+    Panel& panel = drawing.panels.front();
+    panel.kind = PanelKind::chart;
+    panel.y_label = name + " and " + name;
+    panel.add(PolylineLayer{{Points({0, 1e-12, 1, 3e-12}, 2)}});
+    EXPECT_NE(svg(drawing).find("… (×10⁻¹²)"), std::string::npos);
+}
+
 TEST(Region, IsFilledPalelyAndNamedInTheLegend) {
     Drawing drawing;
     drawing.add(RegionsLayer{{Points({0, 0, 4, 0, 4, 3}, 2), Points({5, 0, 6, 0, 6, 1}, 2)}, "part"});

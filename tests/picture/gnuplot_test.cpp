@@ -1,9 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "batten/io/curve_file.hpp"
 #include "batten/io/draw/gnuplot.hpp"
 #include "batten/io/draw/surface_plots.hpp"
 #include "pictures.hpp"
@@ -70,6 +75,34 @@ TEST(Gnuplot, NamesTheAxesOfReliefsAndDrawsTheLinesUponThem) {
         EXPECT_NE(plain.find(name), std::string::npos) << name;
     }
     EXPECT_GT(count_of("with lines", lined), count_of("with lines", plain) + 5);
+}
+
+/// The rows of the longest block of data.
+std::vector<std::array<double, 2>> longest_block(const std::string& script) {
+    std::vector<std::array<double, 2>> longest, block;
+    std::istringstream lines(script);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream row(line);
+        std::array<double, 2> p{};
+        if (row >> p[0] >> p[1]) block.push_back(p);
+        else block.clear();
+        if (block.size() > longest.size()) longest = block;
+    }
+    return longest;
+}
+
+TEST(Gnuplot, DrawsALongCubicWithoutAKink) {
+    Drawing drawing;
+    drawing.add(CurveLayer{parse_curve({"arch.svg", "M 0 0 C 0 100 100 100 100 0"})});
+    const auto rows = longest_block(gnuplot_script(drawing, ChartFormat::png));
+    ASSERT_GT(rows.size(), 20u);
+    double sharpest = 0;
+    for (std::size_t i = 1; i + 1 < rows.size(); ++i) {
+        const double before = std::atan2(rows[i][1] - rows[i - 1][1], rows[i][0] - rows[i - 1][0]);
+        const double after = std::atan2(rows[i + 1][1] - rows[i][1], rows[i + 1][0] - rows[i][0]);
+        sharpest = std::max(sharpest, std::fabs(std::remainder(after - before, 2 * std::numbers::pi)));
+    }
+    EXPECT_LT(sharpest, 0.12);
 }
 
 TEST(Gnuplot, CutsOffWhatLiesOutsideOfARange) {

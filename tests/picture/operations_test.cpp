@@ -76,5 +76,56 @@ TEST(PictureOfDraw, LeavesOutTheGraphOfACurveOfConstantCurvature) {
     EXPECT_NE(svg(made.draw()).find("<path"), std::string::npos);
 }
 
+/// sin x / 10 over 0 to 300 as the graph of a spline of `degree`, with what a fit knows of it.
+Outcome fitted_graph(const std::string& degree) {
+    std::string text = "x,y,sigma\n";
+    for (int i = 0; i <= 60; ++i) {
+        text += format_number(5 * i) + "," + format_fixed(0.1 * std::sin(0.05 * i), 9) + ",0.001\n";
+    }
+    const Input input{"graph.csv", PointsInput{parse_table({"graph.csv", text}), {}}};
+    return find_operation("fit")->run({&input, 1}, {{"degree", degree}}, {});
+}
+
+Drawing picture_of_graph(std::string_view operation, const std::vector<Setting>& settings) {
+    const Input graph{"graph.json", std::get<Curve>(fitted_graph("3").output)};
+    return find_operation(operation)->run({&graph, 1}, settings, {}).draw();
+}
+
+TEST(PictureOfAGraph, HasAnAxisOfItsOwnForEachCoordinate) {
+    const Points beside({0, 0, 150, 0.1}, 2);
+    for (const Drawing& drawing :
+         {picture_of_graph("draw", {}), picture_of_graph("evaluate", {}),
+          picture_of_graph("measure", {}), picture_of_graph("compare", {{"to", beside}})}) {
+        const Panel& panel = drawing.panels.front();
+        EXPECT_EQ(panel.kind, PanelKind::chart);
+        EXPECT_EQ(panel.x_label + panel.y_label, "xy");
+        EXPECT_NO_THROW(svg(drawing));
+    }
+    EXPECT_EQ(picture_of_graph("draw", {{"comb", "true"}}).panels.front().kind,
+              PanelKind::geometry);
+}
+
+TEST(PictureOfAGraph, NamesItsAxesAsTheTableBesideIt) {
+    const Table table = parse_table({"t.csv", "nm,counts\n0,0\n300,0.1\n"});
+    const std::vector<Input> inputs{
+        {"graph.json", std::get<Curve>(fitted_graph("3").output)},
+        {"t.csv", PointsInput{table, coordinate_columns(table)}}};
+    const Drawing drawing = find_operation("draw")->run(inputs, {}, {}).draw();
+    EXPECT_EQ(drawing.panels.front().kind, PanelKind::chart);
+    EXPECT_EQ(drawing.panels.front().x_label, "nm");
+    EXPECT_EQ(drawing.panels.front().y_label, "counts");
+}
+
+TEST(PictureOfEvaluate, ShowsTheBandAndThePanelsOfDerivatives) {
+    const Drawing drawing = picture_of_graph("evaluate", {{"derivatives", "2"}, {"band", "90"}});
+    ASSERT_EQ(drawing.panels.size(), 3u);
+    for (const Panel& panel : drawing.panels) {
+        EXPECT_TRUE(std::holds_alternative<RegionsLayer>(panel.layers.front())) << panel.caption;
+    }
+    EXPECT_EQ(drawing.panels[2].y_label, "d²y/dx²");
+    // A line has no third derivative worth a panel.
+    EXPECT_EQ(picture_of_graph("evaluate", {{"derivatives", "9"}}).panels.size(), 4u);
+}
+
 }  // namespace operations_test
 }  // namespace batten::testing

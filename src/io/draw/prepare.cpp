@@ -19,6 +19,7 @@ constexpr double chart_air_y = 0.06;
 
 /// Makes one layer ready, all but its comb, and adds to the box what it covers.
 struct Preparation {
+    AxisUnits units;
     Toning& toning;
     ReadyLayer& ready;
     Box& box;
@@ -28,7 +29,7 @@ struct Preparation {
 
     void operator()(const CurveLayer& layer) {
         ready.tone = toning.line(layer.line, layer.name);
-        ready.trace = trace_of(layer.curve);
+        ready.trace = trace_of(layer.curve, units);
         box.add(box_of(ready.trace));
         pad(14);
     }
@@ -98,10 +99,12 @@ struct Preparation {
 
 std::vector<ReadyLayer> ready_layers(ReadyPanel& ready, Toning& toning) {
     std::vector<ReadyLayer> layers;
+    const bool is_chart = ready.panel->kind == PanelKind::chart;
+    const AxisUnits units = is_chart ? AxisUnits::own : AxisUnits::common;
     for (const Layer& layer : ready.panel->layers) {
         ReadyLayer& next = layers.emplace_back();
         next.layer = &layer;
-        std::visit(Preparation{toning, next, ready.box, ready.padding}, layer);
+        std::visit(Preparation{units, toning, next, ready.box, ready.padding}, layer);
     }
     return layers;
 }

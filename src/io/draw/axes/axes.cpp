@@ -22,9 +22,12 @@ AxisTicks ticks_on(const Frame& frame, int k, double spacing) {
     return is_log ? log_ticks(frame.shown(k), least) : linear_ticks(frame.shown(k), least);
 }
 
-std::string with_note(const std::string& name, const std::string& note) {
-    if (name.empty() || note.empty()) return name + note;
-    return name + " (" + note + ')';
+/// The name, cut short where it is too wide, and in brackets what the numbers are multiplied by,
+/// which never is.
+std::string with_note(const std::string& name, const std::string& note, double width) {
+    if (name.empty() || note.empty()) return shortened(name + note, label_size, width);
+    const std::string behind = " (" + note + ')';
+    return shortened(name, label_size, width - text_width(behind, label_size)) + behind;
 }
 
 void draw_grid(Scene& scene, const PlaneAxes& axes, const Frame& frame) {
@@ -84,7 +87,7 @@ PlaneAxes plane_axes(const ReadyPanel& panel, const Frame& frame) {
     }
     axes.marks_zero = panel.panel->kind == PanelKind::chart && !frame.is_log[1];
     const auto name = [&](const std::string& label, const std::string& note) {
-        return shortened(with_note(label, note), label_size, frame.area.width);
+        return with_note(label, note, frame.area.width);
     };
     axes.x_name = name(panel.panel->x_label, axes.x.note);
     axes.y_name = name(panel.panel->y_label, axes.y.note);

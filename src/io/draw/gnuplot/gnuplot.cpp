@@ -14,7 +14,8 @@ namespace {
 
 using namespace drawing;
 
-constexpr int chords_a_bezier = 12;
+constexpr double chord_error = 0.02;  ///< pixels that a chord may be off its cubic
+constexpr double most_chords = 500;
 constexpr double farthest_pixel = 1e5;
 constexpr double points_per_pixel = 0.75;  ///< gnuplot's pixels are 1/96 inch
 constexpr double cap_middle = 0.36;        ///< of the letters' size: their middle over the base line
@@ -59,6 +60,14 @@ std::string stroke_words(const Paint& paint) {
     return words + color_words(paint.stroke, paint.opacity);
 }
 
+/// So many chords that none is farther off than can be seen: n of them are off by at most
+/// max |B''| / (8 n^2).
+int chords_of(Pixel a, Pixel b, Pixel c, Pixel d) {
+    const double bend = 6 * std::max(length(a - 2 * b + c), length(b - 2 * c + d));
+    const double wanted = std::ceil(std::sqrt(bend / (8 * chord_error)));
+    return static_cast<int>(std::clamp(wanted, 1.0, most_chords));
+}
+
 /// Pixels as rows, a blank line between runs; cubics as chords.
 struct Rows {
     std::string text;
@@ -75,8 +84,9 @@ struct Rows {
     }
     void curve(Pixel b, Pixel c, Pixel d) {
         const Pixel a = last;
-        for (int k = 1; k <= chords_a_bezier; ++k) {
-            const double t = k / double{chords_a_bezier}, s = 1 - t;
+        const int chords = chords_of(a, b, c, d);
+        for (int k = 1; k <= chords; ++k) {
+            const double t = k / double(chords), s = 1 - t;
             add(s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d);
         }
     }

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double head_length = 8;
 constexpr double head_half = 2.7;
+constexpr double smallest_ring = 1.6;  ///< radius: the hole of a smaller one cannot be seen
 
 }  // namespace
 
@@ -21,6 +22,7 @@ Paint line_paint(const LineStyle& style, Tone tone) {
 
 Paint dot_paint(Marker marker, Tone tone, double radius) {
     if (marker == Marker::closed) return {paper_color, 0.35 * radius, color_of(tone)};
+    if (radius < smallest_ring) return {{}, 1, color_of(tone)};
     return {color_of(tone), std::min(1.3, 0.45 * radius), paper_color};
 }
 

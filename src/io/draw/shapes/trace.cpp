@@ -103,19 +103,38 @@ Box coarse_box(const Curve& curve, int chords) {
     return box;
 }
 
-std::vector<Points> runs_of(const Curve& curve) {
+/// What one unit of each axis is worth: in charts half the extent of the curve along it.
+Spot units_of(const Box& box, AxisUnits units) {
+    Spot one{1, 1, 1};
+    for (std::size_t k = 0; k < 3 && units == AxisUnits::own; ++k) {
+        const double half = 0.5 * box.sides[k].hi - 0.5 * box.sides[k].lo;
+        if (half > 0) one[k] = half;
+    }
+    return one;
+}
+
+std::vector<Points> runs_of(const Curve& curve, AxisUnits units) {
     const std::size_t dim = static_cast<std::size_t>(curve.dim());
     const int least = least_chords(curve);
-    const double tolerance = 2 * chord_tolerance * coarse_box(curve, least).reach();
+    const Box box = coarse_box(curve, least);
+    const Spot unit = units_of(box, units);
+    const double reach = units == AxisUnits::own ? 1 : box.reach();
+    const double tolerance = 2 * chord_tolerance * reach;
     std::vector<Points> runs;
     Spot last{};
     for (std::size_t i = 0; i < curve.pieces(); ++i) {
-        const auto spot = [&](double t) { return point_on(curve, i, t); };
+        const auto spot = [&](double t) {
+            Sample sample = point_on(curve, i, t);
+            for (std::size_t k = 0; k < 3; ++k) sample.at[k] /= unit[k];
+            return sample;
+        };
         const std::vector<Sample> samples = refined(spot, curve.piece(i), least, tolerance);
         const bool joined = i > 0 && distance(last, samples.front().at) <= tolerance;
         if (!joined) runs.emplace_back(0, curve.dim());
         for (std::size_t j = joined ? 1 : 0; j < samples.size(); ++j) {
-            runs.back().push_back({samples[j].at.data(), dim});
+            Spot at = samples[j].at;
+            for (std::size_t k = 0; k < 3; ++k) at[k] *= unit[k];
+            runs.back().push_back({at.data(), dim});
         }
         last = samples.back().at;
     }
@@ -156,9 +175,9 @@ bool is_cubic(const Curve& curve) { return curve.degree().value_or(4) <= 3; }
 
 Spot spot_on(const Curve& curve, double t) { return point_on(curve, curve.piece_of(t), t).at; }
 
-Trace trace_of(const Curve& curve) {
+Trace trace_of(const Curve& curve, AxisUnits units) {
     if (is_cubic(curve)) return {bezier_points(curve), {}};
-    return {Points(0, curve.dim()), runs_of(curve)};
+    return {Points(0, curve.dim()), runs_of(curve, units)};
 }
 
 Box box_of(const Trace& trace) {

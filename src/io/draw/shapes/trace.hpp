@@ -29,9 +29,12 @@ int least_chords(const Curve& curve);
 
 bool is_cubic(const Curve& curve);
 
-/// Throws `number.overflow` where a control point is beyond a double, `drawing.not-finite` where
-/// the curve is.
-Trace trace_of(const Curve& curve);
+/// Whether all axes of a picture have one unit, or each its own.
+enum class AxisUnits { common, own };
+
+/// Chords stay near the curve as seen along the axes' units. Throws `number.overflow` where a
+/// control point is beyond a double, `drawing.not-finite` where the curve is.
+Trace trace_of(const Curve& curve, AxisUnits units = AxisUnits::common);
 
 /// The point of a curve at t. Throws `drawing.not-finite`.
 Spot spot_on(const Curve& curve, double t);
