@@ -11,10 +11,10 @@
 #include "api/spline_panel.hpp"
 #include "api/surface_picture.hpp"
 #include "api/surface_values.hpp"
+#include "api/uncertain_extrema.hpp"
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
 #include "batten/io/write_points.hpp"
-#include "api/uncertain_extrema.hpp"
 #include "batten/make/fit_bands.hpp"
 #include "batten/measure/coordinate.hpp"
 #include "batten/measure/line.hpp"
@@ -311,7 +311,11 @@ Outcome run_surface(const Surface& surface, const EvaluateOptions& options) {
     if (!options.integral.empty()) {
         const std::vector<double>& p = options.integral;
         require_numbers(p, 4, "must be four numbers X0,X1,Y0,Y1");
-        report.integral = integral(surface, {{p[0], p[1]}, {p[2], p[3]}});
+        const auto [low_x, high_x] = std::minmax(p[0], p[1]);
+        const auto [low_y, high_y] = std::minmax(p[2], p[3]);
+        const bool is_reversed = (p[0] > p[1]) != (p[2] > p[3]);
+        const double found = integral(surface, {{low_x, high_x}, {low_y, high_y}});
+        report.integral = is_reversed ? -found : found;
     }
     return {rows, Status::met, {}, report_value(report), [surface] {
                 return surface_picture(surface, usual_levels);

@@ -1,4 +1,8 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <concepts>
+#include <limits>
 #include <optional>
 
 #include "api/curve_layers.hpp"
@@ -55,6 +59,27 @@ Drawing section_picture(const SplineFunction& cut, const Curve& curve,
     return drawing;
 }
 
+/// Heights along the line; of a piece at both its ends, so that a jump is two rows.
+Rows section_rows(const SplineFunction& cut, const char* along) {
+    constexpr int samples_a_piece = 16;
+    constexpr double rounding = 1e-12;
+    Rows rows{{along, "z"}, Points(0, 2)};
+    double size = 0, last = std::numeric_limits<double>::quiet_NaN();
+    for (const double c : cut.coefficients()) size = std::max(size, std::fabs(c));
+    for (std::size_t i = 0; i < cut.pieces(); ++i) {
+        const double from = cut.breaks()[i], to = cut.breaks()[i + 1];
+        const int steps = cut.degree() > 1 ? samples_a_piece : 1;
+        for (int k = 0; k <= steps; ++k) {
+            const double at = k == steps ? to : from + (to - from) * k / steps;
+            const double z = cut.value_on(i, at, 0);
+            if (k == 0 && std::fabs(z - last) <= rounding * size) continue;
+            rows.cells.push_back(std::array{at, z});
+            last = z;
+        }
+    }
+    return rows;
+}
+
 Outcome run(std::span<const Input> inputs, const SectionOptions& options) {
     const Surface& surface = surface_input(inputs);
     if (options.x.has_value() == options.y.has_value()) {
@@ -69,7 +94,8 @@ Outcome run(std::span<const Input> inputs, const SectionOptions& options) {
     return {curve, Status::met, {}, report_value(report), [cut, curve, options] {
                 return section_picture(cut, curve, options);
             },
-            {}, {}, {}, MadeSpline{cut}};
+            {}, [cut, options] { return section_rows(cut, options.x ? "y" : "x"); }, {},
+            MadeSpline{cut}};
 }
 
 }  // namespace

@@ -35,7 +35,9 @@ Points places_of(const Surface& surface, const SurfaceQuestions& questions) {
         const std::span<const double> place = places[i];
         if (domain.x.contains(place[0]) && domain.y.contains(place[1])) continue;
         throw Error("surface.outside", "at", format_number(place[0]) + ',' + format_number(place[1]),
-                    "must lie in the surface's domain");
+                    "must lie in the surface's domain [" + format_number(domain.x.lo) + ", " +
+                        format_number(domain.x.hi) + "] x [" + format_number(domain.y.lo) + ", " +
+                        format_number(domain.y.hi) + "]");
     }
     const auto count = static_cast<std::size_t>(questions.count);
     if (count == 0) return places;

@@ -209,6 +209,36 @@ class Surfaces(Folder):
         with open(self.path("picture.svg"), encoding="utf-8") as stream:
             self.assertIn("the surface", stream.read())
 
+    def test_what_is_asked_of_a_surface_is_answered_or_refused_in_its_own_words(self):
+        surface = self.surface()
+        for cut, header in ((("--x", "0.5"), "y,z"), (("--y", "0.5"), "x,z")):
+            rows = self.good("section", surface, *cut, "--format", "csv").stdout.splitlines()
+            self.assertEqual(rows[0], header)
+            x, z = map(float, rows[5].split(","))
+            place = f"0.5,{x}" if header == "y,z" else f"{x},0.5"
+            at = self.good("evaluate", surface, "--at", place).stdout.splitlines()[1].split(",")
+            self.assertAlmostEqual(float(at[2]), z, places=12)
+        whole, turned, twice = (
+            self.report("evaluate", surface, "--integral", part)["report"]["integral"]
+            for part in ("0,1.2,0,1", "1.2,0,0,1", "1.2,0,1,0"))
+        self.assertEqual([turned, twice], [-whole, whole])
+        self.refused("surface.outside", "evaluate", surface, "--at", "3,0.5",
+                     says=["domain [0, 1.2", "] x [0, 1]"])
+        self.refused("option.range", "contour", surface, "--tolerance", "0", says=["--tolerance"])
+        self.refused("option.unused", "contour", surface, "--levels", "0.1", "--count", "4",
+                     says=["--count"])
+        found = self.report("contour", surface, "--levels", "0.1,9999")["report"]
+        self.assertEqual(found["notes"], ["no line at the level 9999"])
+        for option in ("--comb", "--control-polygon", "--curvature", "--lcg", "--index"):
+            self.refused("option.unused", "draw", surface, option, says=[option])
+        self.refused("fit.options", "fit-surface", self.grid(), "--knots", "given",
+                     says=["--knots", "--x-knots or --y-knots"])
+        rows = self.file("rows.csv", "".join(f"{i % 7},{i % 5},{i}\n" for i in range(35)))
+        self.refused("fit.options", "fit-surface", rows, "--scattered", "--knots", "curved",
+                     says=["--knots", "grids"])
+        self.refused("fit.knots", "fit-surface", self.grid(), "--x-knots", "9",
+                     says=["x_knots 1"])
+
     def test_a_file_of_several_lines_is_read_by_every_verb(self):
         surface, lines = self.surface(), self.path("lines.json")
         self.good("contour", surface, "--levels", "0.04,0.09", "-o", lines)
@@ -269,7 +299,8 @@ class Surfaces(Folder):
             self.assertAlmostEqual(other["aic"], one["aic"], delta=1e-6)
         self.refused("fit-surface.streamed", "fit-surface", heights, *knots, "--sigma", errors,
                      "--stream")
-        self.refused("option.value", "fit-surface", heights, "--sigma", "nowhere.csv")
+        self.refused("file.missing", "fit-surface", heights, "--sigma", "nowhere.csv",
+                     says=["nowhere.csv"])
         self.refused("fit.options", "fit-surface", heights, "--sigma", "1", "--x-sigma", rows)
 
     def test_a_surface_refuses_what_is_asked_of_curves(self):

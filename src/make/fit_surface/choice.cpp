@@ -216,7 +216,7 @@ std::vector<double> given_knots(std::span<const double> given, Interval range,
         const bool is_inside = range.lo < given[i] && given[i] < range.hi;
         const bool rises = i == 0 || given[i - 1] <= given[i];
         if (!rises || !(is_end || is_inside)) {
-            throw Error("fit.knots", std::string(name) + ' ' + std::to_string(i),
+            throw Error("fit.knots", std::string(name) + ' ' + std::to_string(i + 1),
                         format_number(given[i]),
                         "knots must not fall and lie between the first and the last line");
         }
