@@ -77,11 +77,20 @@ std::vector<double> numbers_in(const std::string& list) {
     return numbers;
 }
 
-Argument read_shape(const std::string& path) {
+/// A curve, or points that are laid beside the curve of the input.
+Argument read_shape(const std::string& path, const std::vector<Input>& inputs) {
     const Source source = read_source(path);
     if (holds_curve(source)) return parse_curve(source);
     const Table table = parse_table(source);
-    return points_of(table, coordinate_columns(table));
+    const Curve* curve = inputs.empty() ? nullptr : std::get_if<Curve>(&inputs.front().content);
+    Points points = points_of(table, curve ? columns_beside(*curve, table)
+                                           : coordinate_columns(table));
+    try {
+        if (curve) require_dimension(points, curve->dim(), curve->dim());
+    } catch (const Error& error) {
+        throw error.at(source.name);
+    }
+    return points;
 }
 
 Argument read_numbers(const std::string& path, const Field& field) {
@@ -199,7 +208,7 @@ Argument errors_of(const Command& command, const std::string& text,
 Argument argument_of(const Command& command, const Field& field, const std::string& text,
                      const std::vector<Input>& inputs) {
     switch (field.kind) {
-        case FieldKind::shape: return read_shape(text);
+        case FieldKind::shape: return read_shape(text, inputs);
         case FieldKind::table: return read_numbers(text, field);
         case FieldKind::errors: return errors_of(command, text, inputs);
         case FieldKind::list:

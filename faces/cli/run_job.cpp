@@ -67,9 +67,10 @@ std::optional<Input> prepared_input(const Command& command, const StepInput& inp
     return std::nullopt;
 }
 
-/// Whether a text may be a column of the input.
-bool may_be_column(const Field& field) {
-    return field.kind == FieldKind::choice || field.kind == FieldKind::errors;
+/// Whether what a text means depends on the input: it may be a column of it, or points beside it.
+bool depends_on_input(const Field& field) {
+    return field.kind == FieldKind::choice || field.kind == FieldKind::errors ||
+           field.kind == FieldKind::shape;
 }
 
 /// The argument, or nothing where it waits for a step before: its result, or a column of it.
@@ -81,7 +82,7 @@ std::optional<Argument> prepared_argument(const Prepared& prepared, const Field&
     if (!text) return batten::argument_of(field, *value);
     std::vector<Input> inputs;
     for (const std::optional<Input>& input : prepared.inputs) {
-        if (!input && may_be_column(field)) return std::nullopt;
+        if (!input && depends_on_input(field)) return std::nullopt;
         if (input) inputs.push_back(*input);
     }
     return argument_of(prepared.command, field, *text, inputs);

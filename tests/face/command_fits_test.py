@@ -24,8 +24,18 @@ class Fits(Folder):
                          [595, 835, 865, 880, 895, 910, 925, 955, 1075])
         self.assertEqual(len(report["report"]["path"]), 8)
         self.assertEqual(len(report["report"]["covariance_band"]["x"]), 201)
-        top = min(report["report"]["extrema"], key=lambda e: abs(e["value"] - 900))
-        self.assertLess(abs(top["value"] - 899), 3)
+        top = min(report["report"]["extrema"], key=lambda e: abs(e["t"] - 900))
+        self.assertLess(abs(top["t"] - 899), 3)
+        self.assertEqual(top["kind"], "maximum")
+        told = self.report("evaluate", self.path("t.json"), "--extrema")["report"]["extrema"]
+        for one, other in zip(report["report"]["extrema"], told, strict=True):
+            self.assertEqual(one["kind"], other["kind"])
+            for key in ("t", "deviation", "value", "value_deviation"):
+                self.assertAlmostEqual(one[key], other[key], delta=1e-9 * abs(one[key]))
+        at = self.good("evaluate", self.path("t.json"), "--at", str(top["t"]), "--band",
+                       "68.26894921370859").stdout.splitlines()[1].split(",")
+        self.assertAlmostEqual(float(at[2]), top["value"], delta=1e-12)
+        self.assertAlmostEqual(float(at[3]), top["value_deviation"], delta=1e-9)
         self.assertLess(top["deviation"], 2)
         self.assertGreater(report["report"]["integral"]["deviation"], 0)
 
@@ -82,6 +92,41 @@ class Fits(Folder):
         self.assertEqual(reports[0]["coefficients"], reports[1]["coefficients"])
         asked = self.report("fit", plain, "--sigma", "2")["report"]
         self.assertEqual(asked["sigma_source"], "number")
+
+    def test_the_ordinates_are_the_first_other_column(self):
+        rows = "".join(f"{7 - i},{i},{i * i},1\n" for i in range(9))
+        table = self.file("n.csv", "n,time,v,sigma\n" + rows)
+        one = self.report("fit", table, "--x", "time")["report"]
+        other = self.report("fit", table, "--x", "time", "--y", "n")["report"]
+        self.assertEqual(one["coefficients"], other["coefficients"])
+        last = self.report("fit", table, "--y", "n")["report"]
+        self.assertEqual(last["breaks"], [0, 8])
+
+    def test_a_third_column_that_is_not_used_is_told(self):
+        table = self.file("c.csv", "conc,volt,err\n" + "".join(
+            f"{i},{i * i % 7},{0.1 + i}\n" for i in range(12)))
+        notes = self.report("fit", table)["report"]["notes"]
+        self.assertIn("column err is not used; if it holds the errors, --sigma err takes it", notes)
+        notes = self.report("fit", table, "--sigma", "err")["report"]["notes"]
+        self.assertFalse([note for note in notes if "not used" in note])
+
+    def test_a_fit_is_compared_with_the_table_it_was_made_of(self):
+        rows = [(i, 0.25 * i * i, 0.1) for i in range(12)]
+        table = self.file("c.csv", "conc,volt,err\n" + "".join(
+            f"{x},{y},{s}\n" for x, y, s in rows))
+        self.good("fit", table, "--sigma", "err", "-o", self.path("c.json"))
+        found = self.report("compare", self.path("c.json"), "--to", table)["report"]
+        self.assertLess(abs(found["max"]), 1e-9)
+        self.good("draw", self.path("c.json"), table, "-o", self.path("c.svg"))
+        job = [{"operation": "fit", "input": table, "options": {"sigma": "err"}, "name": "f"},
+               {"operation": "compare", "input": "f", "options": {"to": table},
+                "report": self.path("j.json")}]
+        self.good("run", self.file("job.json", json.dumps(job)))
+        space = self.file("s.csv", "0,0,0\n1,1,1\n2,0,1\n")
+        self.good("interpolate", self.file("p.csv", "0,0\n1,1\n2,0\n"), "-o",
+                  self.path("p.json"))
+        self.refused("points.dimension", "compare", self.path("p.json"), "--to", space,
+                     says=["s.csv", "3 coordinates"])
 
     def test_errors_may_stand_in_a_file_of_their_own(self):
         table = self.file("d.csv", "x,y\n" + "".join(f"{i},{i * i % 7}\n" for i in range(12)))
@@ -238,8 +283,9 @@ class Fits(Folder):
         data = self.file("corner.csv", "\n".join(rows) + "\n")
         report = self.report("fit", data, "--knots", "pruned", "-o",
                              self.path("corner.json"))["report"]
-        top = min(report["extrema"], key=lambda e: abs(e["value"] - 0.4))
-        self.assertAlmostEqual(top["value"], 0.4, delta=0.01)
+        top = min(report["extrema"], key=lambda e: abs(e["t"] - 0.4))
+        self.assertAlmostEqual(top["t"], 0.4, delta=0.01)
+        self.assertAlmostEqual(top["value"], 2, delta=0.1)
         self.assertIsNone(top["deviation"])
         answers = self.report("evaluate", self.path("corner.json"), "--extrema",
                               "--band")["report"]

@@ -20,6 +20,11 @@ Argument argument_of(const Field& field, const Value& value);
 /// coordinates. Throws what coordinate_columns throws.
 std::vector<int> columns_for(const Field& field, const Table& table);
 
+/// The columns of `table` to lay beside a curve: beside a graph y(x) those that a fit of y(x) would
+/// take, beside others x, y and z, as many as the curve has coordinates, else the coordinates.
+/// Throws what coordinate_columns throws.
+std::vector<int> columns_beside(const Curve& curve, const Table& table);
+
 /// Rows of numbers, or a `batten.curve/1` tree, as an input of the operation, called `name`. The
 /// coordinates are the columns that `picks` names (coordinate_columns); an operation on tables
 /// finds its columns itself where nothing is picked. Throws what the readers of files throw.

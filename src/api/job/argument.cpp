@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "api/fit_table.hpp"
+#include "api/spline_panel.hpp"
 #include "batten/base/error.hpp"
 #include "batten/base/text.hpp"
 #include "batten/io/curve_file.hpp"
@@ -115,6 +117,16 @@ std::vector<int> columns_for(const Field& field, const Table& table) {
     std::vector<int> all(static_cast<std::size_t>(table.columns()));
     std::iota(all.begin(), all.end(), 0);
     return all;
+}
+
+std::vector<int> columns_beside(const Curve& curve, const Table& table) {
+    if (api::function_of(curve) && table.columns() > 2) {
+        const auto [x, y] = api::function_columns(table, {});
+        return {x, y};
+    }
+    const bool has_plane = api::has_column(table, "x") && api::has_column(table, "y");
+    if (curve.dim() == 2 && has_plane) return coordinate_columns(table, "x,y");
+    return coordinate_columns(table);
 }
 
 Argument argument_of(const Field& field, const Value& value) {
