@@ -128,6 +128,7 @@ Parsed parse(int argc, const char* const* argv) {
     }
     add_run(app, command);
     const std::vector<std::string> words = written_out(argc, argv);
+    require_values(app, words);
     try {
         // CLI11 takes them from the end.
         app.parse(std::vector<std::string>(words.rbegin(), words.rend()));

@@ -13,6 +13,7 @@
 #include "batten/io/files.hpp"
 #include "batten/io/surface_file.hpp"
 #include "batten/io/table.hpp"
+#include "usage.hpp"
 #include "vocabulary.hpp"
 
 namespace batten::cli {
@@ -161,15 +162,18 @@ Input read_input(const std::string& path, const Command& command) {
     return {source.name, PointsInput{table, coordinate_columns(table, command.columns)}};
 }
 
-/// A column, where the text is no choice and no file.
-std::vector<double> column_named(const Table& table, const Field& field, const std::string& text) {
+/// The place of a column, where the text is nothing else that the option takes.
+int column_named(const Table& table, const Field& field, const std::string& text) {
     try {
-        return column_values(table, column_index(table, text));
+        return column_index(table, text);
     } catch (const Error& error) {
         if (error.code() != "table.unknown-column") throw;
+        const bool is_choice = !field.choices.empty();
         throw Error(error.code(), error.place(), error.value(),
-                    error.rule() + "; --" + flag_name(field.name) + " also takes " + field.takes +
-                        ", numbers or a file of them, and there is no such file");
+                    error.rule() + "; --" + flag_name(field.name) + " also takes " +
+                        (is_choice ? field.takes + ", numbers" : "a number") +
+                        " or a file of them, and there is no such file" +
+                        guess(text, field.choices));
     }
 }
 
@@ -193,14 +197,18 @@ Points errors_on_grid(const std::string& path) {
 }
 
 /// A number, a column of the input, or else a file.
-Argument errors_of(const Command& command, const std::string& text,
+Argument errors_of(const Command& command, const Field& field, const std::string& text,
                    const std::vector<Input>& inputs) {
-    const bool is_file = !is_number(text) && !is_column(inputs, text) &&
-                         std::filesystem::is_regular_file(text);
-    if (!is_file) return text;
+    if (is_number(text) || is_column(inputs, text)) return text;
     const bool is_grid =
         command.operation->input == InputKind::grid && !is_flag_set(command, "scattered");
     if (is_grid) return errors_on_grid(text);
+    if (!std::filesystem::is_regular_file(text)) {
+        const auto* points =
+            inputs.empty() ? nullptr : std::get_if<PointsInput>(&inputs.front().content);
+        if (points) column_named(points->table, field, text);
+        return text;
+    }
     const Table table = read_table(text);
     return column_errors(table, column_index(table, "#1"));
 }
@@ -210,7 +218,7 @@ Argument argument_of(const Command& command, const Field& field, const std::stri
     switch (field.kind) {
         case FieldKind::shape: return read_shape(text, inputs);
         case FieldKind::table: return read_numbers(text, field);
-        case FieldKind::errors: return errors_of(command, text, inputs);
+        case FieldKind::errors: return errors_of(command, field, text, inputs);
         case FieldKind::list:
             if (field.takes_file && !is_list(text)) return read_numbers(text, field);
             return text;
@@ -219,7 +227,8 @@ Argument argument_of(const Command& command, const Field& field, const std::stri
                 if (is_list(text)) return numbers_in(text);
                 if (std::filesystem::is_regular_file(text)) return read_numbers(text, field);
                 if (const auto* points = std::get_if<PointsInput>(&inputs.front().content)) {
-                    return column_named(points->table, field, text);
+                    return column_values(points->table,
+                                         column_named(points->table, field, text));
                 }
             }
             return text;

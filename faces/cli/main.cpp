@@ -17,22 +17,65 @@
 
 namespace {
 
-/// Options are shown as they are typed: `option.range: weight_exponent` becomes
-/// `--weight-exponent`, a list `knots_values` beside the choice `knots` `--knots`.
+/// `weight_exponent` as `--weight-exponent`, a list `knots_values` beside the choice `knots` as
+/// `--knots`.
+std::string flag_of_field(std::string name) {
+    if (name.ends_with("_values")) name.resize(name.rfind("_values"));
+    return "--" + batten::cli::flag_name(name);
+}
+
+bool is_field(const batten::Operation& operation, const std::string& name) {
+    return name == "columns" ||
+           std::any_of(operation.fields.begin(), operation.fields.end(),
+                       [&](const batten::Field& field) { return field.name == name; });
+}
+
+/// Text with the fields among its words as flags: all of them, or only those that no sentence has
+/// for words of its own.
+std::string with_flags(const std::string& text, const batten::Operation& operation,
+                       bool are_all_fields) {
+    std::string typed;
+    for (std::size_t start = 0; start < text.size();) {
+        const std::size_t end = std::min(text.find_first_of(" ,;:", start), text.size());
+        const std::string word = text.substr(start, end - start);
+        const bool is_name = are_all_fields || word.find('_') != std::string::npos;
+        typed += is_name && is_field(operation, word) ? flag_of_field(word) : word;
+        if (end < text.size()) typed += text[end];
+        start = end + 1;
+    }
+    return typed;
+}
+
+/// Whether a place is a field, or several with commas between them.
+bool are_fields(const std::string& place, const batten::Operation& operation) {
+    std::size_t start = 0;
+    while (true) {
+        const std::size_t end = std::min(place.find(", ", start), place.size());
+        if (!is_field(operation, place.substr(start, end - start))) return false;
+        if (end == place.size()) return true;
+        start = end + 2;
+    }
+}
+
+/// Options are shown as they are typed.
 batten::Error as_typed(const batten::Error& error, const batten::Operation& operation) {
+    const std::string rule = with_flags(error.rule(), operation, false);
     std::string place = error.place();
-    const bool is_field =
-        place == "columns" || std::any_of(operation.fields.begin(), operation.fields.end(),
-                                          [&](const batten::Field& f) { return f.name == place; });
-    const bool is_option = error.code().starts_with("option.") ||
-                           (is_field && error.code().ends_with(".options"));
-    if (!is_option) return error;
-    if (place.ends_with("_values")) place.resize(place.rfind("_values"));
-    return error.at("--" + batten::cli::flag_name(place));
+    const bool is_option = error.code().starts_with("option.");
+    if (are_fields(place, operation)) {
+        // A field of one plain word may be what else the error is about.
+        const bool is_asked = is_option || error.code().ends_with(".options") ||
+                              place.find('_') != std::string::npos;
+        if (is_asked) place = with_flags(place, operation, true);
+    } else if (is_option) {
+        place = flag_of_field(place);
+    }
+    return {error.code(), place, error.value(), rule, error.rows()};
 }
 
 int run_operation(const batten::cli::Command& command) {
     using namespace batten::cli;
+    require_form(command);
     require_places({&command});
     const std::vector<batten::Input> inputs = read_inputs(command);
     const std::vector<batten::Setting> settings = read_settings(command, inputs);
@@ -73,4 +116,3 @@ int main(int argc, char** argv) {
     }
     return batten::cli::failed;
 }
-    require_form(command);

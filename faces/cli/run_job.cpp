@@ -90,8 +90,8 @@ std::optional<Argument> prepared_argument(const Prepared& prepared, const Field&
 
 Prepared prepare(const Step& step, const Command& run) {
     Prepared prepared{&step, command_of(step, run), {}, {}};
-    for (const StepInput& input : step.inputs) {
     require_form(prepared.command);
+    for (const StepInput& input : step.inputs) {
         prepared.inputs.push_back(prepared_input(prepared.command, input));
     }
     std::vector<Setting> known;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 #include "vocabulary.hpp"
 
@@ -21,20 +22,6 @@ std::size_t distance(const std::string& a, const std::string& b) {
         }
     }
     return row.back();
-}
-
-/// `; did you mean X?` where one of `known` is at most two letters away, and closer than nothing.
-std::string guess(const std::string& word, const std::vector<std::string>& known) {
-    std::string best;
-    std::size_t least = std::min<std::size_t>(3, word.size());
-    for (const std::string& each : known) {
-        const std::size_t letters = distance(word, each);
-        if (letters < least) {
-            least = letters;
-            best = each;
-        }
-    }
-    return best.empty() ? "" : "; did you mean " + best + "?";
 }
 
 std::vector<std::string> names_of(const std::vector<Verb>& verbs) {
@@ -73,12 +60,48 @@ Error extra_word(const CLI::App& verb, const std::string& word) {
     return {"input.count", verb.get_name(), word, "takes one input"};
 }
 
+/// A word of the command line that is an option of the verb, and whether a value follows.
+struct KnownOption {
+    const CLI::Option* option;
+    bool takes_next;
+};
+
+std::optional<KnownOption> known_option(const CLI::App& verb, const std::string& word) {
+    const std::size_t mark = word.find('=');
+    for (const CLI::Option* option : verb.get_options()) {
+        for (const std::string& name : option->get_lnames()) {
+            if (word.substr(0, mark) != "--" + name) continue;
+            return KnownOption{option, mark == std::string::npos && option->get_items_expected_min() > 0};
+        }
+        for (const std::string& letter : option->get_snames()) {
+            if (word != "-" + letter) continue;
+            return KnownOption{option, option->get_items_expected_min() > 0};
+        }
+    }
+    return std::nullopt;
+}
+
+/// The words behind the verb that are neither options nor their values.
+std::vector<std::string> inputs_among(const CLI::App& verb, const std::vector<std::string>& words) {
+    std::vector<std::string> inputs;
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        const std::optional<KnownOption> known = known_option(verb, words[i]);
+        if (!known) inputs.push_back(words[i]);
+        else if (known->takes_next) ++i;
+    }
+    return inputs;
+}
+
 /// `--degree: 1 required TEXT missing` and the like begin with the option's name.
 Error wrong_option(const CLI::App& verb, const CLI::ParseError& stop,
                    const std::vector<std::string>& words) {
     std::string name = stop.what();
     name = name.substr(0, name.find(':'));
-    if (name == "input") return {"input.count", verb.get_name(), words.back(), "takes one input"};
+    if (name == "input") {
+        const std::vector<std::string> inputs = inputs_among(verb, words);
+        return {"input.count", verb.get_name(), inputs.size() > 1 ? inputs[1] : words.back(),
+                "takes one input"};
+    }
     const bool is_choice = dynamic_cast<const CLI::ValidationError*>(&stop) != nullptr;
     if (!is_choice) return {"option.value", name, "nothing", "a value must follow"};
     const auto found = std::find(words.begin(), words.end(), name);
@@ -87,6 +110,35 @@ Error wrong_option(const CLI::App& verb, const CLI::ParseError& stop,
 }
 
 }  // namespace
+
+std::string guess(const std::string& word, const std::vector<std::string>& known) {
+    std::string best;
+    std::size_t least = std::min<std::size_t>(3, word.size());
+    for (const std::string& each : known) {
+        const std::size_t letters = distance(word, each);
+        if (letters < least) {
+            least = letters;
+            best = each;
+        }
+    }
+    return best.empty() ? "" : "; did you mean " + best + "?";
+}
+
+void require_values(const CLI::App& app, const std::vector<std::string>& words) {
+    const std::vector<const CLI::App*> verbs = app.get_subcommands([&](const CLI::App* each) {
+        return !words.empty() && each->get_name() == words.front();
+    });
+    const CLI::App* const verb = verbs.empty() ? nullptr : verbs.front();
+    for (std::size_t i = 1; verb && i < words.size(); ++i) {
+        const std::optional<KnownOption> known = known_option(*verb, words[i]);
+        if (!known || !known->takes_next) continue;
+        if (i + 1 < words.size() && known_option(*verb, words[i + 1])) {
+            throw Error("option.value", words[i], "nothing",
+                        "a value must follow, not " + words[i + 1]);
+        }
+        ++i;
+    }
+}
 
 Error usage_error(const CLI::App& app, const CLI::ParseError& stop,
                   const std::vector<std::string>& words) {

@@ -6,6 +6,7 @@ usage: command_bad_input_test.py COMMAND SOURCE_FOLDER
 import json
 import math
 import os
+import re
 import subprocess
 
 from command_folder import COMMAND, Folder, main
@@ -85,6 +86,57 @@ class BadInput(Folder):
         self.refused("command.unknown", "fot", says=["did you mean fit?"])
         self.refused("input.kind", "measure", self.file("q.csv", "0,0\n1,1\n"),
                      says=["batten interpolate"])
+
+    def test_words_in_the_wrong_place_are_named(self):
+        table = self.file("t.csv", "a,b,err\n" + "".join(f"{i},{i * i},0.1\n" for i in range(9)))
+        self.refused("option.value", "fit", table, "--sigma", "--quiet",
+                     says=["--sigma", "a value must follow", "--quiet"])
+        self.refused("option.value", "fit", table, "-o", "--quiet", says=["-o"])
+        self.refused("input.count", "fit", table, "second.csv", "-o", "x.json", "--quiet",
+                     says=[": second.csv: "])
+        self.good("fit", table, "--sigma", "err", "-o", self.path("t.json"))
+        self.refused("input.count", "evaluate", self.path("t.json"), "--band", "abc", "--at", "5",
+                     says=[": abc: "])
+        self.refused("table.unknown-column", "fit", table, "--knots", "fre",
+                     says=["did you mean free?"])
+        self.refused("table.unknown-column", "fit", table, "--sigma", "nosuch.txt",
+                     says=["there is no such file"])
+        # A number below zero is a value.
+        self.good("fit", table, "--sigma", "err", "--start-value", "-1")
+
+    def test_options_that_would_do_nothing_are_refused(self):
+        table = self.file("t.csv", "".join(f"{i},{i * i % 7},0.1\n" for i in range(40)))
+        self.refused("fit.options", "fit", table, "--knots", "given", says=["--knots"])
+        self.refused("fit.options", "fit", table, "--intervals", "4", "--stop", "gcv",
+                     says=["--stop"])
+        self.good("fit", table, "--intervals", "4", "--stop", "none", "-o", self.path("t.json"))
+        curve = self.path("t.json")
+        self.refused("option.unused", "convert", curve, "--count", "7", says=["--count"])
+        self.refused("option.unused", "draw", curve, "--index", says=["--index"])
+        self.refused("option.unused", "draw", curve, "--contours", "5", says=["--contours"])
+        self.refused("option.unused", "draw", table, "--columns", "#1,#2", "--comb",
+                     says=["--comb"])
+
+    def test_messages_say_flags(self):
+        points = self.file("p.csv", "".join(f"{i},{i % 3}\n" for i in range(12)))
+        self.refused("fit.options", "fit", points, "--fix-ends",
+                     says=["--fix-ends, --start-tangent, --end-tangent", "take --start-value"])
+        self.refused("fair.closed-has-no-ends", "fair", points, "--closed", "--fix-ends",
+                     "position", says=["--fix-ends"])
+
+    def test_help_names_the_forms_that_are_written(self):
+        verbs = self.run_command("--help").stdout.split("Verbs:\n")[1].split("\n\n")[0]
+        for verb in re.findall(r"^  ([a-z-]+)", verbs, re.MULTILINE):
+            if verb == "run":
+                continue
+            text = " ".join(self.run_command(verb, "--help").stdout.split())
+            listed = re.search(r"where no suffix says it: (.*?) --report", text).group(1)
+            forms = listed.replace(" or ", ", ").split(", ")
+            given = [] if verb == "log-aesthetic" else ["nowhere"]
+            done = self.run_command(verb, *given, "-o", "x.nonsense")
+            self.assertIn("output.format", done.stderr)
+            self.assertEqual(done.stderr.strip().split(" ", 2)[2].split("one of ")[-1]
+                             .split("must be ")[-1].split(", "), forms, verb)
 
     def test_nothing_is_lost_by_what_is_written(self):
         self.file("p.csv", "0,0\n1,1\n2,0\n")
