@@ -122,9 +122,11 @@ class Fits(Folder):
                {"operation": "compare", "input": "f", "options": {"to": table},
                 "report": self.path("j.json")}]
         self.good("run", self.file("job.json", json.dumps(job)))
-        space = self.file("s.csv", "0,0,0\n1,1,1\n2,0,1\n")
+        known = self.file("k.csv", "x,y,sigma\n0,0,1\n1,1,1\n2,0,1\n")
+        space = self.file("s.csv", "x,y,z\n0,0,0\n1,1,1\n2,0,1\n")
         self.good("interpolate", self.file("p.csv", "0,0\n1,1\n2,0\n"), "-o",
                   self.path("p.json"))
+        self.good("compare", self.path("p.json"), "--to", known)
         self.refused("points.dimension", "compare", self.path("p.json"), "--to", space,
                      says=["s.csv", "3 coordinates"])
 

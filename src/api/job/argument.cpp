@@ -124,8 +124,9 @@ std::vector<int> columns_beside(const Curve& curve, const Table& table) {
         const auto [x, y] = api::function_columns(table, {});
         return {x, y};
     }
-    const bool has_plane = api::has_column(table, "x") && api::has_column(table, "y");
-    if (curve.dim() == 2 && has_plane) return coordinate_columns(table, "x,y");
+    const bool is_plane = api::has_column(table, "x") && api::has_column(table, "y") &&
+                          !api::has_column(table, "z");
+    if (curve.dim() == 2 && is_plane) return coordinate_columns(table, "x,y");
     return coordinate_columns(table);
 }
 
