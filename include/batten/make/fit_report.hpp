@@ -24,12 +24,14 @@ constexpr std::array<Named<SigmaSource>, 4> names_of(SigmaSource) {
 /// One step on the way to the final number of intervals.
 struct FitStep : FitCriteria {
     int intervals = 0;
-    std::vector<double> psi;  ///< listed up to 20,000 samples, or where the rule asks for it
+    int parameters_charged = 0;  ///< by which the rule decides; the criteria here are the paper's
+    std::vector<double> psi;     ///< listed up to 20,000 samples, or where the rule asks for it
 };
 
 template <class Visit>
 void visit_fields(const FitStep& r, Visit&& visit) {
     visit("intervals", r.intervals, "inner knots, counted with their multiplicity, and 1");
+    visit("parameters_charged", r.parameters_charged, "p and the knots that were moved");
     visit_fields(static_cast<const FitCriteria&>(r), visit);
     visit("psi", r.psi, "shares of the residuals within 1, 2, ... 10 sigma");
 }

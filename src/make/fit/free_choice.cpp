@@ -37,6 +37,7 @@ public:
             step_of(least, samples_.values(), moved ? p + d.set.count() : p, step.intervals,
                     knowledge_of(samples_));
         step.delta2 = delta2;
+        step.parameters_charged = charged.parameters_charged;
         if (plan_.rule == StopRule::distribution ||
             (plan_.wants_psi && samples_.sides.size() == 1)) {
             const FixedFit fixed =

@@ -224,7 +224,7 @@ std::vector<double> residuals_of(const Growth& growth, const Samples& samples) {
 
 FitStep step_of(double delta2, std::size_t samples, int parameters, int intervals,
                 SigmaKnowledge knowledge) {
-    return {fit_criteria(delta2, samples, parameters, knowledge), intervals, {}};
+    return {fit_criteria(delta2, samples, parameters, knowledge), intervals, parameters, {}};
 }
 
 double robust_refit(Growth& growth, const Samples& samples, Robust robust,
