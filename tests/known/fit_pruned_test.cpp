@@ -168,6 +168,49 @@ TEST(RobustFit, DropsTheOutlierAndNoNeighbourNearTheEnds) {
     }
 }
 
+TEST(RobustFit, OfRedescendingWeightsStandsOneOutlierInTwelve) {
+    FitTable table = sampled(wave, 240, 0.05, 15);
+    std::vector<std::size_t> outliers;
+    for (std::size_t i = 5; i < 240; i += 12) {
+        table.y[i] += i % 7 < 4 ? 0.5 : -0.4;
+        outliers.push_back(i);
+    }
+    FitOptions options;
+    options.robust = Robust::tukey;
+    options.knots = KnotPlacement::equal;
+    options.intervals = 9;
+    const Fit made = fit(table.view(), options);
+    EXPECT_EQ(made.report.rejected, outliers);
+    EXPECT_LT(mean_error_sq(table, made.spline, wave), 2e-4);
+}
+
+TEST(RobustFit, GoesOnUntilTheWeightsStandStill) {
+    FitTable table = sampled(wave, 120, 0.05, 16);
+    for (std::size_t i = 3; i < 120; i += 9) table.y[i] += 0.3;
+    FitOptions options;
+    options.robust = Robust::huber;
+    options.knots = KnotPlacement::equal;
+    options.intervals = 6;
+    const Fit made = fit(table.view(), options);
+    const auto loss = [&](const std::vector<double>& c) {
+        const SplineFunction s(made.report.knots, c, 3);
+        double sum = 0;
+        for (std::size_t i = 0; i < table.x.size(); ++i) {
+            const double e = std::fabs(table.y[i] - s(table.x[i])) / 0.05;
+            sum += e > 1.345 ? 1.345 * (2 * e - 1.345) : e * e;
+        }
+        return sum;
+    };
+    const double least = loss(made.report.coefficients);
+    for (std::size_t j = 0; j < made.report.coefficients.size(); ++j) {
+        for (const double step : {-1e-6, 1e-6}) {
+            std::vector<double> moved = made.report.coefficients;
+            moved[j] += step;
+            EXPECT_GT(loss(moved), least) << j;
+        }
+    }
+}
+
 TEST(RobustFit, KeepsJumpsAndPeaksOfTwoSamples) {
     FitTable table = sampled(step, 200, 0.01, 13);
     table.y[150] += 3;

@@ -18,7 +18,11 @@ namespace {
 
 using namespace fitting;
 
-constexpr int most_final_rounds = 20;
+/// Rejection may go to and fro; weights that change smoothly settle.
+constexpr int most_rejections = 20;
+constexpr int most_final_reweightings = 200;
+/// Redescending weights start from the fit of weights that drop nothing [Huber1981].
+constexpr int rounds_of_huber = 5;
 
 /// The fit over the chosen knots, weights decided by its own residuals where that is asked.
 struct FinalFit {
@@ -26,6 +30,7 @@ struct FinalFit {
     FixedFit fixed;
     std::vector<std::size_t> rejected;
     bool is_within = true;  ///< the limits asked for could be kept
+    bool is_settled = true; ///< more reweightings would change nothing to speak of
 };
 
 /// Keeps the limits asked for and what the choice holds, if any; whether that could be done.
@@ -46,10 +51,18 @@ FinalFit final_fit(const Samples& samples, const LocalBasis& basis, KnotChoice& 
     result.is_within = limit(result.fixed, options, choice.held);
     if (options.robust == Robust::none) return result;
     std::vector<double> before;
-    for (int round = 0; round < most_final_rounds; ++round) {
-        std::vector<double> factors = robust_factors(
-            options.robust, samples, residuals_of(samples, splines_of(result.fixed, 1)));
-        if (factors == before) break;
+    const bool is_rejection = options.robust == Robust::reject;
+    const int most = is_rejection ? most_rejections : most_final_reweightings;
+    result.is_settled = is_rejection;
+    for (int round = 0; round < most; ++round) {
+        const bool is_start = options.robust == Robust::tukey && round < rounds_of_huber;
+        std::vector<double> factors =
+            robust_factors(is_start ? Robust::huber : options.robust, samples,
+                           residuals_of(samples, splines_of(result.fixed, 1)));
+        if (!is_start && are_alike(factors, before)) {
+            result.is_settled = true;
+            break;
+        }
         before = std::move(factors);
         auto weighted = std::make_unique<Samples>(reweighted(samples, before));
         FixedFit fixed = solve_fixed(*weighted, choice.knots, basis, ends);
@@ -194,6 +207,10 @@ FitReport report_of(Solved& solved, const SplineFunction& spline) {
     if (solved.choice.by_data && solved.choice.is_met) note_many_coefficients(report);
     note_what_sigma_hides(report);
     report.status = status_of(report, solved.choice, solved.last.is_within);
+    if (!solved.last.is_settled) {
+        report.notes.push_back("robust: weights still change after " +
+                               std::to_string(most_final_reweightings) + " reweightings");
+    }
     if (!solved.last.is_within) {
         report.notes.push_back("limits: no spline over these knots keeps them");
     }

@@ -50,11 +50,26 @@ std::vector<double> robust_factors(Robust robust, const Samples& samples,
         factors[i] = factor_of(robust, residuals[i] / samples.sigma_at(i));
         dropped += std::isinf(factors[i]);
     }
-    const double most = most_rejected * static_cast<double>(factors.size());
-    if (robust != Robust::huber && static_cast<double>(dropped) > most) {
-        factors.assign(factors.size(), 1);
+    if (robust == Robust::huber) return factors;
+    const double share = static_cast<double>(dropped) / static_cast<double>(factors.size());
+    if (robust == Robust::reject && share > most_rejected) factors.assign(factors.size(), 1);
+    // Too far off to tell which: nearer by weights that drop none.
+    if (robust == Robust::tukey && share > most_redescended) {
+        return robust_factors(Robust::huber, samples, residuals);
     }
     return factors;
+}
+
+bool are_alike(std::span<const double> factors, std::span<const double> before) {
+    constexpr double enough = 1e-6;
+    if (factors.size() != before.size()) return false;
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        // Either may be inf: then only the same is alike.
+        if (factors[i] == before[i]) continue;
+        if (!(std::fabs(factors[i] - before[i]) <= enough * before[i])) return false;
+        if (std::isinf(before[i])) return false;
+    }
+    return true;
 }
 
 double robust_loss(Robust robust, const Samples& samples, std::span<const double> residuals) {

@@ -14,6 +14,10 @@ constexpr int most_reweightings = 4;
 /// Beyond this share of samples that `reject` would drop, the fit is still too coarse to judge
 /// any: nothing is dropped.
 constexpr double most_rejected = 0.05;
+/// The same of `tukey`, which takes the weights of `huber` then.
+constexpr double most_redescended = 0.2;
+/// Whether another reweighting would change nothing to speak of.
+bool are_alike(std::span<const double> factors, std::span<const double> before);
 
 /// Factors of sigma, one a sample (inf: no weight), from residuals in data units.
 std::vector<double> robust_factors(Robust robust, const Samples& samples,
