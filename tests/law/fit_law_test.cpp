@@ -324,5 +324,19 @@ TEST(FitByInsertion, GivesTheSamePathFromATreeAndFromSamples) {
     }
 }
 
+TEST(FitSuggestions, AreThoseOfTheErrorThatTheResidualsSay) {
+    // Few knots: residuals are far above the differences of neighbours.
+    const FitTable table = noisy_curve(120, 0.05, 11);
+    FitOptions options;
+    options.knots = KnotPlacement::equal;
+    options.intervals = 5;
+    options.suggest = 6;
+    const FitReport estimated = fit(table.without_sigma(), options).report;
+    ASSERT_GT(*estimated.sigma2, 100);
+    options.sigma = *estimated.sigma * std::sqrt(*estimated.sigma2);
+    const FitReport stated = fit(table.without_sigma(), options).report;
+    EXPECT_EQ(estimated.suggestions, stated.suggestions);
+}
+
 }  // namespace fit_law_test
 }  // namespace batten

@@ -217,6 +217,13 @@ FitReport report_of(Solved& solved, const SplineFunction& spline) {
     return report;
 }
 
+/// The error of one more measurement: as stated, or as the residuals say.
+double next_error(const Samples& samples, const FitReport& report) {
+    const double sigma = samples.sigma_at(samples.size() / 2);
+    const bool is_estimated = report.sigma_source == SigmaSource::estimated;
+    return is_estimated ? sigma * std::sqrt(report.sigma2.value_or(1)) : sigma;
+}
+
 }  // namespace
 
 Fit fit(const FitSamples& given, const FitOptions& options) {
@@ -236,7 +243,7 @@ Fit fit(const FitSamples& given, const FitOptions& options) {
         limited(std::move(all.choice.alternatives), used, basis, options), width_of(report)}));
     if (report.undetermined.empty()) fill_band(report, spline, covariance);
     if (options.suggest > 0) {
-        report.suggestions = covariance.suggest(options.suggest, used.sigma_at(used.size() / 2));
+        report.suggestions = covariance.suggest(options.suggest, next_error(all.samples, report));
     }
     all.samples.work.finish();
     return {std::move(spline), covariance, std::move(report)};
