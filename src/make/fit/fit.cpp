@@ -242,6 +242,10 @@ Fit fit(const FitSamples& given, const FitOptions& options) {
         CoefficientLaw(spline, all.last.fixed.system, all.last.fixed.held),
         limited(std::move(all.choice.alternatives), used, basis, options), width_of(report)}));
     if (report.undetermined.empty()) fill_band(report, spline, covariance);
+    if (options.knots == KnotPlacement::free && all.choice.moved > 0) {
+        report.notes.push_back("extrema: deviations are those over these knots; where knots were "
+                               "moved they are too small");
+    }
     if (options.suggest > 0) {
         report.suggestions = covariance.suggest(options.suggest, next_error(all.samples, report));
     }
