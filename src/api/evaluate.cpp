@@ -6,7 +6,6 @@
 #include <string>
 
 #include "api/curve_layers.hpp"
-#include "api/knot_marks.hpp"
 #include "api/row.hpp"
 #include "api/spline_panel.hpp"
 #include "api/surface_picture.hpp"
@@ -267,17 +266,10 @@ Drawing function_picture(const Curve& curve, const SplineFunction& spline,
         drawing.width = 1000;
         drawing.columns = 2;
     }
-    Panel& values = drawing.panels.front() = chart(panels > 0 ? "values" : "", names.x, names.y);
-    Interval covered = extent_of_runs(traced(spline, 0));
-    if (band.covariance) {
-        const BandEdges edges = band_around(spline, 0, *band.covariance, band.factor);
-        values.add(band_layer(edges.x, edges.lower, edges.upper, band.name));
-        covered = covering_band(covered, edges.lower, edges.upper);
-    }
-    values.add(PolylineLayer{traced(spline, 0), name, {Tone::accent, Dash::solid, 1.8}});
+    Panel& values = drawing.panels.front() = value_panel(spline, names, band, name);
+    if (panels == 0) values.caption.clear();
     if (!t.empty()) values.add(TicksLayer{curve, t, {}});
     add_places(values, report);
-    add_knot_marks(values, spline, widened(covered, covered, 0));
     for (int order = 1; order <= panels; ++order) {
         drawing.panels.push_back(derivative_panel(spline, order, names, band, name));
     }

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "api/curve_layers.hpp"
 #include "api/fit_table.hpp"
+#include "api/spline_panel.hpp"
 #include "api/uncertain_extrema.hpp"
 #include "batten/shape/spline_graph.hpp"
 
@@ -23,6 +23,21 @@ void visit_fields(const FitFeatures& r, Visit&& visit) {
     visit("integral", r.integral, "over the data's range");
     visit("roots", r.roots, "where the spline is 0");
     visit("extrema", r.extrema, "minima and maxima, and how sure they are");
+}
+
+/// What is known without the data: the spline, its derivative, their bands.
+Drawing spline_picture(const MadeSpline& made) {
+    const FitCovariance* const covariance = made.covariance ? &*made.covariance : nullptr;
+    const NamedBand band{covariance, covariance ? covariance->factor_95() : 0, "95 % band"};
+    Drawing drawing;
+    drawing.title = "Least-squares spline";
+    drawing.width = 1000;
+    drawing.columns = 2;
+    drawing.panels = {value_panel(made.spline, {}, band, "fit")};
+    if (made.spline.degree() > 0) {
+        drawing.panels.push_back(derivative_panel(made.spline, 1, {}, band, "fit"));
+    }
+    return drawing;
 }
 
 }  // namespace
@@ -57,11 +72,7 @@ MadeSpline spline_of(const Fit& made) {
 Outcome outcome_of(Fit made) {
     Outcome outcome;
     const Curve curve = api::curve_of(made);
-    outcome.draw = [curve] {
-        Drawing drawing;
-        api::add_parts(drawing, curve);
-        return drawing;
-    };
+    outcome.draw = [made = api::spline_of(made)] { return api::spline_picture(made); };
     outcome.output = curve;
     outcome.status = made.report.status;
     outcome.report = api::report_of(made);

@@ -39,6 +39,41 @@ std::string raised(int order) {
     return digits[static_cast<std::size_t>(order)];
 }
 
+/// The edges of a band at abscissae.
+struct BandEdges {
+    std::vector<double> x, lower, upper;
+};
+
+/// The band `factor` deviations wide on either side of the spline or of a derivative.
+BandEdges band_around(const SplineFunction& spline, int derivative,
+                      const FitCovariance& covariance, double factor) {
+    BandEdges edges;
+    const Interval domain = spline.domain();
+    for (int i = 0; i <= band_steps; ++i) {
+        const double at = domain.clamp(domain.lo + domain.length() * (i / double{band_steps}));
+        const double half = factor * covariance.deviation(at, derivative);
+        const double value = spline(at, derivative);
+        edges.x.push_back(at);
+        edges.lower.push_back(value - half);
+        edges.upper.push_back(value + half);
+    }
+    return edges;
+}
+
+/// The spline or a derivative, its band where that does not jump at every knot, and the knots.
+void add_spline(Panel& panel, const SplineFunction& spline, int order, const NamedBand& band,
+                std::string name) {
+    std::vector<Points> runs = traced(spline, order);
+    Interval covered = extent_of_runs(runs);
+    if (band.covariance && (order == 0 || spline.degree() > order)) {
+        const BandEdges edges = band_around(spline, order, *band.covariance, band.factor);
+        panel.add(band_layer(edges.x, edges.lower, edges.upper, band.name));
+        covered = covering_band(covered, edges.lower, edges.upper);
+    }
+    panel.add(PolylineLayer{std::move(runs), std::move(name), {Tone::accent, Dash::solid, 1.8}});
+    add_knot_marks(panel, spline, widened(covered, covered, 0));
+}
+
 }  // namespace
 
 std::string name_of_derivative(const AxisNames& names, int order) {
@@ -93,21 +128,6 @@ Interval extent_of_runs(const std::vector<Points>& runs) {
     return extent;
 }
 
-BandEdges band_around(const SplineFunction& spline, int derivative,
-                      const FitCovariance& covariance, double factor) {
-    BandEdges edges;
-    const Interval domain = spline.domain();
-    for (int i = 0; i <= band_steps; ++i) {
-        const double at = domain.clamp(domain.lo + domain.length() * (i / double{band_steps}));
-        const double half = factor * covariance.deviation(at, derivative);
-        const double value = spline(at, derivative);
-        edges.x.push_back(at);
-        edges.lower.push_back(value - half);
-        edges.upper.push_back(value + half);
-    }
-    return edges;
-}
-
 RegionsLayer band_layer(std::span<const double> x, std::span<const double> lower,
                         std::span<const double> upper, std::string name) {
     return {{outline(x, lower, upper)}, std::move(name), Tone::accent};
@@ -118,19 +138,18 @@ Interval covering_band(Interval covered, std::span<const double> lower, std::spa
     return widened(covered, {extent_of(lower).lo, extent_of(upper).hi}, band_room);
 }
 
+Panel value_panel(const SplineFunction& spline, const AxisNames& names, const NamedBand& band,
+                  std::string name) {
+    Panel panel = chart("values", names.x, names.y);
+    add_spline(panel, spline, 0, band, std::move(name));
+    return panel;
+}
+
 Panel derivative_panel(const SplineFunction& spline, int order, const AxisNames& names,
                        const NamedBand& band, std::string name) {
     Panel panel = chart(order == 1 ? "derivative" : "derivative " + std::to_string(order), names.x,
                         name_of_derivative(names, order));
-    std::vector<Points> runs = traced(spline, order);
-    Interval covered = extent_of_runs(runs);
-    if (band.covariance && spline.degree() > order) {
-        const BandEdges edges = band_around(spline, order, *band.covariance, band.factor);
-        panel.add(band_layer(edges.x, edges.lower, edges.upper, band.name));
-        covered = covering_band(covered, edges.lower, edges.upper);
-    }
-    panel.add(PolylineLayer{std::move(runs), std::move(name), {Tone::accent, Dash::solid, 1.8}});
-    add_knot_marks(panel, spline, widened(covered, covered, 0));
+    add_spline(panel, spline, order, band, std::move(name));
     return panel;
 }
 

@@ -33,15 +33,6 @@ std::vector<Points> traced(const SplineFunction& spline, int derivative);
 /// The extent of runs in y.
 Interval extent_of_runs(const std::vector<Points>& runs);
 
-/// The edges of a band at abscissae.
-struct BandEdges {
-    std::vector<double> x, lower, upper;
-};
-
-/// The band `factor` deviations wide on either side of the spline or of a derivative.
-BandEdges band_around(const SplineFunction& spline, int derivative,
-                      const FitCovariance& covariance, double factor);
-
 /// The band, filled.
 RegionsLayer band_layer(std::span<const double> x, std::span<const double> lower,
                         std::span<const double> upper, std::string name);
@@ -56,6 +47,10 @@ struct NamedBand {
     double factor = 0;
     std::string name;
 };
+
+/// The spline that the legend calls `name`, with its band; its knots are marked.
+Panel value_panel(const SplineFunction& spline, const AxisNames& names, const NamedBand& band,
+                  std::string name);
 
 /// A derivative of the spline that the legend calls `name`, with its band; its knots are marked.
 Panel derivative_panel(const SplineFunction& spline, int order, const AxisNames& names,

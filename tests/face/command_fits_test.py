@@ -130,6 +130,16 @@ class Fits(Folder):
         self.refused("points.dimension", "compare", self.path("p.json"), "--to", space,
                      says=["s.csv", "3 coordinates"])
 
+    def test_a_table_read_in_blocks_has_a_picture_with_its_band(self):
+        table = self.file("s.csv", "x,y,sigma\n" + "".join(
+            f"{100 * i},{math.sin(0.3 * i)},0.01\n" for i in range(40)))
+        self.good("fit", table, "--stream", "--knots", "equal", "--intervals", "6", "-o",
+                  self.path("s.json"), "--draw", self.path("s.svg"))
+        with open(self.path("s.svg"), encoding="utf-8") as stream:
+            picture = stream.read()
+        for words in ("95 % band", "dy/dx", "knots"):
+            self.assertIn(f">{words}<", picture)
+
     def test_errors_may_stand_in_a_file_of_their_own(self):
         table = self.file("d.csv", "x,y\n" + "".join(f"{i},{i * i % 7}\n" for i in range(12)))
         errors = self.file("s.txt", "".join(f"{1 + i % 3}\n" for i in range(12)))

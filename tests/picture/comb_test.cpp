@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "batten/shape/piecewise_cubic.hpp"
+#include "batten/shape/spline_function.hpp"
 #include "io/draw/shapes/bend.hpp"
 #include "io/draw/shapes/comb.hpp"
 #include "pictures.hpp"
@@ -161,6 +162,28 @@ TEST(Trace, OfAFunctionStaysWithinItsTolerance) {
         const double middle = std::hypot(run(i, 0) + run(i - 1, 0), run(i, 1) + run(i - 1, 1)) / 2;
         EXPECT_GT(middle, 5 - 2e-4 * 10);
     }
+}
+
+/// The largest distance in y of chords from y = 0.01 (x / 300)^4 (1 - x / 300), over its height.
+double coarseness(const Trace& trace) {
+    const auto value = [](double x) { return 0.01 * std::pow(x / 300, 4) * (1 - x / 300); };
+    double largest = 0;
+    for (const Points& run : trace.runs) {
+        for (std::size_t i = 1; i < run.size(); ++i) {
+            const double x = (run(i, 0) + run(i - 1, 0)) / 2, y = (run(i, 1) + run(i - 1, 1)) / 2;
+            largest = std::max(largest, std::fabs(y - value(x)));
+        }
+    }
+    return largest / value(240);
+}
+
+TEST(Trace, OfAGraphInAChartIsAsFineAsItsOwnAxes) {
+    std::vector<double> knots(6, 0), heights(6, 0);
+    knots.resize(12, 300);
+    heights[4] = 0.01 / 5;  // the Bernstein polynomial of degree 5 over its factor
+    const Curve flat = graph(SplineFunction(knots, heights, 5));
+    EXPECT_LT(coarseness(trace_of(flat, AxisUnits::own)), 1e-3);
+    EXPECT_GT(coarseness(trace_of(flat)), 1e-3);
 }
 
 TEST(Trace, OfCubicsIsExactAndSoIsItsBox) {
