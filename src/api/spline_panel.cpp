@@ -13,7 +13,8 @@ namespace batten::api {
 namespace {
 
 constexpr int samples_a_piece = 24;
-constexpr int band_steps = 200;
+constexpr int band_steps = 200;  // over the domain, and in a piece at least
+constexpr int least_steps = 8;
 constexpr std::size_t longest_names = 32;  // bytes of both that a quotient is written of
 // How far bands are shown beyond what they surround, in heights of it.
 constexpr double band_room = 0.3;
@@ -48,14 +49,18 @@ struct BandEdges {
 BandEdges band_around(const SplineFunction& spline, int derivative,
                       const FitCovariance& covariance, double factor) {
     BandEdges edges;
-    const Interval domain = spline.domain();
-    for (int i = 0; i <= band_steps; ++i) {
-        const double at = domain.clamp(domain.lo + domain.length() * (i / double{band_steps}));
-        const double half = factor * covariance.deviation(at, derivative);
-        const double value = spline(at, derivative);
-        edges.x.push_back(at);
-        edges.lower.push_back(value - half);
-        edges.upper.push_back(value + half);
+    const std::span<const double> breaks = spline.breaks();
+    const int steps = std::max(least_steps, band_steps / static_cast<int>(spline.pieces()));
+    for (std::size_t i = 0; i < spline.pieces(); ++i) {
+        for (int k = i == 0 ? 0 : 1; k <= steps; ++k) {
+            const double at = k == steps ? breaks[i + 1]
+                                         : breaks[i] + (breaks[i + 1] - breaks[i]) * k / steps;
+            const double half = factor * covariance.deviation(at, derivative);
+            const double value = spline.value_on(i, at, derivative);
+            edges.x.push_back(at);
+            edges.lower.push_back(value - half);
+            edges.upper.push_back(value + half);
+        }
     }
     return edges;
 }
