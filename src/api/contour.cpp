@@ -36,6 +36,7 @@ struct ContourSummary {
     bool closed = false;
     double length = 0;
     std::size_t joints = 0;
+    Status status = Status::met;
 };
 
 template <class Visit>
@@ -44,6 +45,7 @@ void visit_fields(const ContourSummary& r, Visit&& visit) {
     visit("closed", r.closed, "whether it returns to its start");
     visit("length", r.length, "arc length");
     visit("joints", r.joints, "points exactly on the level");
+    visit("status", r.status, "whether it is as close to its level as was asked");
 }
 
 struct ContourReport {
@@ -88,6 +90,19 @@ std::string json_of(const std::vector<Contour>& lines) {
     return dump_json(ValueMap{{"format", "batten.contours/1"}, {"lines", std::move(list)}});
 }
 
+/// Tells of lines that may be farther from their level than was asked.
+Status worst_status(ContourReport& report) {
+    const auto missed = std::count_if(report.lines.begin(), report.lines.end(),
+                                      [](const ContourSummary& line) {
+                                          return line.status != Status::met;
+                                      });
+    if (missed == 0) return Status::met;
+    report.notes.push_back(std::to_string(missed) + (missed == 1 ? " line" : " lines") +
+                           " may be beyond the tolerance, or connected otherwise: the surface is "
+                           "nearly level there");
+    return Status::not_met;
+}
+
 Outcome run(std::span<const Input> inputs, const ContourOptions& options) {
     const Surface& surface = surface_input(inputs);
     ContourReport report;
@@ -104,15 +119,16 @@ Outcome run(std::span<const Input> inputs, const ContourOptions& options) {
         const std::size_t before = lines.size();
         for (Contour& line : contours(surface, level, options.tolerance)) {
             report.lines.push_back({level, line.curve.is_closed(), length(line.curve).value,
-                                    line.curve.breaks().size()});
+                                    line.curve.breaks().size(), line.status});
             lines.push_back(std::move(line));
         }
         if (lines.size() == before) {
             report.notes.push_back("no line at the level " + format_number(level));
         }
     }
+    const Status status = worst_status(report);
     return {rows_of(lines),
-            Status::met,
+            status,
             {},
             report_value(report),
             [surface, lines] { return contour_picture(surface, lines); },

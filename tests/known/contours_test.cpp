@@ -3,6 +3,7 @@
 #include "batten/measure/contours.hpp"
 #include "batten/measure/curvature.hpp"
 #include "batten/measure/length.hpp"
+#include "random.hpp"
 #include "surface_samples.hpp"
 
 namespace batten {
@@ -83,6 +84,90 @@ TEST(Contour, StaysWithinItsToleranceBetweenJoints) {
         }
     }
     EXPECT_GT(points, 1000u);
+}
+
+/// a x^2 + b x + c y + d y^2 over the unit square, one patch: every cell of its lattice is 1/64 wide.
+SplineSurface one_patch(double a, double b, double c, double d) {
+    const BSplineBasis basis = BSplineBasis::over(std::vector<double>{0, 1}, 2);
+    std::vector<double> heights;
+    for (const double x : {0.0, 0.5, 1.0}) {
+        for (const double y : {0.0, 0.5, 1.0}) {
+            heights.push_back(a * (x == 1) + b * x + c * y + d * (y == 1));
+        }
+    }
+    return {basis, basis, heights};
+}
+
+double farthest_from_level(const SplineSurface& s, const Contour& line) {
+    double farthest = 0;
+    for (std::size_t i = 0; i < line.curve.pieces(); ++i) {
+        for (const double share : {0.2, 0.5, 0.8}) {
+            const Interval piece = line.curve.piece(i);
+            const std::vector<double> p = line.curve(piece.lo + share * piece.length());
+            const HeightJet jet = s.jet(p[0], p[1]);
+            farthest = std::max(farthest, std::fabs(jet.value - line.level) /
+                                              std::hypot(jet.x, jet.y));
+        }
+    }
+    return farthest;
+}
+
+TEST(Contour, GoesRoundATipThatIsNarrowerThanACell) {
+    // y = 2000 (x - 0.508)^2 + 0.495: at y = 0.5, a line of the lattice, 0.0032 wide.
+    const SplineSurface s = one_patch(2000, -2 * 2000 * 0.508, -1, 0);
+    const double level = -0.495 - 2000 * 0.508 * 0.508;
+    const std::vector<Contour> lines = contours(s, level, absolute(1e-7));
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0].status, Status::met);
+    EXPECT_LE(farthest_from_level(s, lines[0]), 1e-7);
+    double lowest = 1;
+    for (const double t : lines[0].curve.breaks()) lowest = std::min(lowest, lines[0].curve(t)[1]);
+    EXPECT_NEAR(lowest, 0.495, 1e-4);
+}
+
+TEST(Contour, FindsAnIslandInsideOfACell) {
+    const SplineSurface s = one_patch(1, -2 * 0.5071, -2 * 0.5069, 1);
+    const double radius = 0.004;
+    const double level = radius * radius - 0.5071 * 0.5071 - 0.5069 * 0.5069;
+    const std::vector<Contour> lines = contours(s, level);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_TRUE(lines[0].curve.is_closed());
+    EXPECT_NEAR(length(lines[0].curve).value, 2 * std::numbers::pi * radius, 1e-5);
+}
+
+TEST(Contour, StaysWithinItsToleranceOnRandomSurfaces) {
+    Random random(7);
+    std::size_t pieces = 0;
+    for (int round = 0; round < 150; ++round) {
+        const int degree = 1 + round % 4;
+        const BSplineBasis x = BSplineBasis::over(even_places({0, 1}, 5), degree);
+        const BSplineBasis y = BSplineBasis::over(std::vector<double>{0, 0.2, 0.3, 0.7, 1}, degree);
+        std::vector<double> heights(x.size() * y.size());
+        for (double& z : heights) z = random.within(-1, 1);
+        const SplineSurface s(x, y, heights);
+        for (const Contour& line : contours(s, random.within(-0.4, 0.4), absolute(1e-6))) {
+            EXPECT_EQ(line.status, Status::met) << round;
+            for (std::size_t i = 0; i < line.curve.pieces(); ++i) {
+                const std::vector<double> p = line.curve(line.curve.piece(i).middle());
+                const HeightJet jet = s.jet(p[0], p[1]);
+                const double slope = std::hypot(jet.x, jet.y);
+                if (slope < 0.1) continue;
+                EXPECT_LE(std::fabs(jet.value - line.level) / slope, 1e-6) << round;
+                ++pieces;
+            }
+        }
+    }
+    EXPECT_GT(pieces, 5000u);
+}
+
+TEST(Contour, PassesThroughASaddleAtItsLevel) {
+    const SplineSurface s = one_patch(1, -1.014, 1.022, -1);  // saddle at (0.507, 0.511)
+    const std::vector<Contour> lines = contours(s, s(0.507, 0.511));
+    for (const Contour& line : lines) {
+        EXPECT_EQ(line.status, Status::met);
+        EXPECT_FALSE(line.curve.is_closed());
+    }
+    EXPECT_EQ(lines.size(), 2u);
 }
 
 TEST(Contour, OfAFlatSurfaceIsNothing) {

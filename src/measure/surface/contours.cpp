@@ -3,200 +3,66 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "batten/base/error.hpp"
-#include "measure/surface/chains.hpp"
+#include "measure/surface/level_lattice.hpp"
 #include "measure/surface/line_pieces.hpp"
-#include "num/roots.hpp"
 #include "shape/surface/sheet.hpp"
 
 namespace batten {
 namespace {
 
-using contouring::Chain;
 using contouring::CubicEnds;
-using contouring::LatticeEdge;
+using contouring::LevelLattice;
 using contouring::LinePiece;
 using contouring::LinePoint;
+using contouring::Thread;
 using surfaces::Sheet;
-using surfaces::SheetColumn;
-using surfaces::SheetLine;
 
-constexpr std::size_t cells_a_piece = 8;
-constexpr std::size_t least_cells = 64;
 constexpr int most_halvings = 8;
 
-/// Every one of `count` pieces is cut into as many cells.
-std::size_t cells_of_each(std::size_t count) {
-    return std::max(cells_a_piece, (least_cells + count - 1) / count);
-}
-
-std::vector<SheetLine> lattice_lines(const Sheet& sheet) {
-    const std::size_t count = sheet.intervals().size();
-    return sheet.lines(std::vector<std::size_t>(count, cells_of_each(count)));
-}
-
-std::vector<double> lattice_rows(const Sheet& sheet) {
-    const std::vector<double> strips = sheet.strips();
-    const std::size_t each = cells_of_each(strips.size() - 1);
-    std::vector<double> rows;
-    for (std::size_t p = 0; p + 1 < strips.size(); ++p) {
-        const Interval strip{strips[p], strips[p + 1]};
-        for (std::size_t k = 0; k < each; ++k) {
-            const double share = static_cast<double>(k) / static_cast<double>(each);
-            rows.push_back(strip.lo + share * strip.length());
-        }
-    }
-    rows.push_back(strips.back());
-    return rows;
-}
-
-/// Where a level crosses an edge of the lattice.
-struct Crossing {
-    double x = 0, y = 0;
-    LatticeEdge edge;
-};
-
-/// One level of one surface, on one lattice.
+/// Curves through the crossings of one level, close to it between them.
 class Tracer {
 public:
     Tracer(const Sheet& sheet, double level, double tolerance)
-        : sheet_(sheet), level_(level), tolerance_(tolerance), lines_(lattice_lines(sheet)),
-          rows_(lattice_rows(sheet)) {
-        for (const double y : rows_) knots_.push_back(sheet_.knots(y));
-    }
+        : sheet_(sheet), level_(level), tolerance_(tolerance), lattice_(sheet, level, tolerance) {}
 
     std::vector<Contour> trace() const {
-        Grid above = sheet_.heights(lines_, rows_);
-        const Grid middles = heights_in_middles();
-        for (std::size_t i = 0; i < above.nu(); ++i) {
-            for (std::size_t j = 0; j < above.nv(); ++j) {
-                above(i, j) = above(i, j) >= level_ ? 1 : 0;
-            }
-        }
         std::vector<Contour> result;
-        for (const Chain& chain : contouring::chains_of(above, middles)) {
-            std::vector<LinePiece> pieces = refined(pieces_of(chain));
-            if (pieces.empty()) continue;
-            if (sheet_.is_transposed()) exchange(pieces);
-            result.push_back({level_, curve_of(pieces, chain.is_closed)});
+        for (Thread& thread : lattice_.threads()) {
+            const bool is_closed = thread.is_closed;
+            Refined line = refined(pieces_of(std::move(thread)));
+            if (line.pieces.empty()) continue;
+            if (sheet_.is_transposed()) exchange(line.pieces);
+            const bool is_met = lattice_.is_certain() && line.is_close;
+            result.push_back({level_, curve_of(line.pieces, is_closed),
+                              is_met ? Status::met : Status::not_met});
         }
         return result;
     }
 
 private:
-    SheetColumn column(std::size_t c) const { return Sheet::column_after(lines_[c]); }
+    struct Refined {
+        std::vector<LinePiece> pieces;
+        bool is_close = true;
+    };
 
-    /// In the middle of cells less the level.
-    Grid heights_in_middles() const {
-        Grid middles(lines_.size() - 1, rows_.size() - 1);
-        std::vector<double> y;
-        for (std::size_t j = 0; j + 1 < rows_.size(); ++j) {
-            y.push_back(Interval{rows_[j], rows_[j + 1]}.middle());
-        }
-        std::vector<SheetLine> between;
-        for (std::size_t c = 0; c + 1 < lines_.size(); ++c) {
-            const SheetLine &line = lines_[c], &next = lines_[c + 1];
-            const double end = next.interval == line.interval ? next.share : 1;
-            between.push_back({line.interval, 0.5 * (line.share + end)});
-        }
-        const Grid plain = sheet_.heights(between, y), sides = sheet_.heights(lines_, y);
-        for (std::size_t c = 0; c < middles.nu(); ++c) {
-            for (std::size_t j = 0; j < middles.nv(); ++j) {
-                const double z = column(c).is_wall ? 0.5 * (sides(c, j) + sides(c + 1, j))
-                                                   : plain(c, j);
-                middles(c, j) = z - level_;
-            }
-        }
-        return middles;
-    }
-
-    double place(std::size_t line, double y) const {
-        return Sheet::place(lines_[line], sheet_.knots(y));
-    }
-
-    LinePoint point_at(std::size_t interval, double x, double y) const {
-        const HeightJet jet = sheet_.jet_in(interval, x, y);
-        const double slope = std::hypot(jet.x, jet.y);
-        if (!(slope > 0)) return {x, y, 0, 0};
-        return {x, y, jet.y / slope, -jet.x / slope};
-    }
-
-    /// On a wall lines run along it; which way is told by the heights beside.
-    LinePoint point_on_wall(std::size_t c, double x, double y) const {
-        const Interval domain = sheet_.domain().y;
-        const double step = 1e-5 * domain.length();
-        const double lo = domain.clamp(y - step), hi = domain.clamp(y + step);
-        const double dx = place(c, hi) - place(c, lo), dy = hi - lo, length = std::hypot(dx, dy);
-        const bool rises = sheet_.value_in(lines_[c + 1].interval, x, y) >
-                           sheet_.value_in(lines_[c].interval, x, y);
-        const double sign = rises ? -1 : 1;  // the higher ground on the left
-        return {x, y, sign * dx / length, sign * dy / length};
-    }
-
-    LinePoint point_in(std::size_t c, double x, double y) const {
-        return column(c).is_wall ? point_on_wall(c, x, y) : point_at(lines_[c].interval, x, y);
-    }
-
-    /// Where the level crosses an edge: its ends differ in sign.
-    Crossing crossing(const LatticeEdge& edge) const {
-        const std::vector<double>& at = knots_[edge.j];
-        const double x = Sheet::place(lines_[edge.i], at), y = rows_[edge.j];
-        if (edge.is_along_x) {
-            const Interval range{x, Sheet::place(lines_[edge.i + 1], at)};
-            if (!(range.lo < range.hi)) return {x, y, edge};
-            const std::size_t interval = lines_[edge.i].interval;
-            const auto height = [&](double t) { return sheet_.value_in(interval, t, y); };
-            return {root(height, range), y, edge};
-        }
-        const auto height = [&](double t) {
-            const std::vector<double> knots = sheet_.knots(t);
-            return sheet_.value_in(Sheet::home_of(lines_, edge.i, knots),
-                                   Sheet::place(lines_[edge.i], knots), t);
-        };
-        const double t = root(height, {y, rows_[edge.j + 1]});
-        return {place(edge.i, t), t, edge};
-    }
-
-    template <class Height>
-    double root(const Height& height_of, Interval range) const {
-        const auto height = [&](double t) { return height_of(t) - level_; };
-        const double lo = height(range.lo), hi = height(range.hi);
-        if (lo == 0) return range.lo;
-        if (hi == 0) return range.hi;
-        // Rounding may see one side of a knot line above, the other below the level.
-        if ((lo > 0) == (hi > 0)) return std::fabs(lo) < std::fabs(hi) ? range.lo : range.hi;
-        return num::find_root(height, range).at;
-    }
-
-    /// The column that holds what is between two crossings that follow one another.
-    static std::size_t column_of(const LatticeEdge& a, const LatticeEdge& b) {
-        if (a.is_along_x) return a.i;
-        return b.is_along_x ? b.i : std::min(a.i, b.i);
-    }
-
-    /// Between crossings in a line, those at one place once, higher ground on the left.
-    std::vector<LinePiece> pieces_of(const Chain& chain) const {
-        std::vector<Crossing> points;
-        for (const LatticeEdge& edge : chain.edges) points.push_back(crossing(edge));
-        if (chain.is_closed && points.size() > 2) points.push_back(points.front());
+    /// Those between points at one place left out, higher ground on the left.
+    std::vector<LinePiece> pieces_of(Thread thread) const {
         std::vector<LinePiece> pieces;
         double along = 0;
-        for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-            const std::size_t c = column_of(points[i].edge, points[i + 1].edge);
-            const bool is_end = i + 2 == points.size();
-            const bool is_short = std::hypot(points[i + 1].x - points[i].x,
-                                             points[i + 1].y - points[i].y) <= 1e-3 * tolerance_;
-            if (is_short) {
-                Crossing& next = points[i + 1];
-                if (is_end && !pieces.empty()) pieces.back().end_at(next.x, next.y);
-                else next = {points[i].x, points[i].y, next.edge};
+        for (std::size_t i = 0; i < thread.pieces.size(); ++i) {
+            LinePiece& piece = thread.pieces[i];
+            const LinePoint &a = piece.a, &b = piece.b;
+            const bool is_end = i + 1 == thread.pieces.size();
+            if (std::hypot(b.x - a.x, b.y - a.y) <= 1e-3 * tolerance_) {
+                if (!is_end) thread.pieces[i + 1].start_at(a.x, a.y);
+                else if (!pieces.empty()) pieces.back().end_at(b.x, b.y);
                 continue;
             }
-            const LinePoint a = point_in(c, points[i].x, points[i].y);
-            const LinePoint b = point_in(c, points[i + 1].x, points[i + 1].y);
             along += (b.x - a.x) * (a.dx + b.dx) + (b.y - a.y) * (a.dy + b.dy);
-            pieces.push_back({a, b, c});
+            pieces.push_back(piece);
         }
         if (along < 0) reverse(pieces);
         return pieces;
@@ -204,8 +70,8 @@ private:
 
     /// On the level beside (x, y), by Newton steps along the slope.
     LinePoint projected(std::size_t c, double x, double y) const {
-        if (column(c).is_wall) return point_on_wall(c, place(c, y), y);
-        const std::size_t interval = lines_[c].interval;
+        if (lattice_.column(c).is_wall) return lattice_.point_in(c, lattice_.place(c, y), y);
+        const std::size_t interval = lattice_.interval(c);
         const Rectangle domain = sheet_.domain();
         for (int step = 0; step < 20; ++step) {
             const HeightJet jet = sheet_.jet_in(interval, x, y);
@@ -216,20 +82,25 @@ private:
             y = domain.y.clamp(y + share * jet.y);
             if (std::fabs(share) * std::sqrt(slope_sq) <= 1e-9 * tolerance_) break;
         }
-        return point_at(interval, x, y);
+        return lattice_.point_in(c, x, y);
     }
 
-    std::vector<LinePiece> refined(const std::vector<LinePiece>& pieces) const {
-        std::vector<LinePiece> result;
+    Refined refined(const std::vector<LinePiece>& pieces) const {
+        Refined result;
         for (const LinePiece& piece : pieces) refine(piece, most_halvings, result);
         return result;
     }
 
+    /// Along the slope, and where that vanishes as the surface bends; what rounding leaves of the
+    /// height is no distance.
     double distance_to_level(std::size_t c, double x, double y) const {
-        if (column(c).is_wall) return std::fabs(x - place(c, y));
-        const HeightJet jet = sheet_.jet_in(lines_[c].interval, x, y);
-        const double slope = std::hypot(jet.x, jet.y), gap = std::fabs(jet.value - level_);
-        return slope > 0 ? gap / slope : gap > 0 ? tolerance_ : 0;
+        if (lattice_.column(c).is_wall) return std::fabs(x - lattice_.place(c, y));
+        const HeightJet jet = sheet_.jet_in(lattice_.interval(c), x, y);
+        const double gap = std::fabs(jet.value - level_) - lattice_.noise();
+        if (!(gap > 0)) return 0;
+        const double slope = std::hypot(jet.x, jet.y);
+        const double bend = std::hypot(jet.xx, jet.xy, jet.yy);
+        return 2 * gap / (slope + std::sqrt(slope * slope + 2 * bend * gap));
     }
 
     /// How far the cubic between is from the level, in data units.
@@ -243,21 +114,19 @@ private:
     }
 
     /// Puts points between until the cubic between is close to the level.
-    void refine(const LinePiece& piece, int halvings, std::vector<LinePiece>& out) const {
+    void refine(const LinePiece& piece, int halvings, Refined& out) const {
         const LinePoint &a = piece.a, &b = piece.b;
         const CubicEnds d = ends_of(a, b);
-        if (farthest_from_level(piece, d) <= 0.5 * tolerance_ || halvings == 0) {
-            out.push_back(piece);
-            return;
-        }
+        const double chord = std::hypot(b.x - a.x, b.y - a.y);
+        const double farthest = farthest_from_level(piece, d);
+        if (farthest <= 0.5 * tolerance_) return out.pieces.push_back(piece);
         const std::array<double, 2> p = on_cubic(a, b, d, 0.5);
         const LinePoint middle = projected(piece.column, p[0], p[1]);
-        const double chord = std::hypot(b.x - a.x, b.y - a.y);
         const double left = std::hypot(middle.x - a.x, middle.y - a.y);
         const double right = std::hypot(b.x - middle.x, b.y - middle.y);
-        if (std::min(left, right) < 0.1 * chord || std::max(left, right) > chord) {
-            out.push_back(piece);
-            return;
+        if (halvings == 0 || std::min(left, right) < 0.1 * chord || std::max(left, right) > chord) {
+            out.is_close = out.is_close && farthest <= tolerance_;
+            return out.pieces.push_back(piece);
         }
         refine({a, middle, piece.column}, halvings - 1, out);
         refine({middle, b, piece.column}, halvings - 1, out);
@@ -265,9 +134,7 @@ private:
 
     const Sheet& sheet_;
     double level_, tolerance_;
-    std::vector<SheetLine> lines_;
-    std::vector<double> rows_;
-    std::vector<std::vector<double>> knots_;
+    LevelLattice lattice_;
 };
 
 }  // namespace
@@ -285,7 +152,7 @@ std::vector<Contour> contours(const Surface& surface, double level, Tolerance to
 
 std::vector<double> round_levels(const Surface& surface, int count) {
     const Sheet sheet(surface);
-    const Grid z = sheet.heights(lattice_lines(sheet), lattice_rows(sheet));
+    const Grid z = contouring::lattice_of(sheet).heights(sheet);
     const std::span<const double> values = z.view().values();
     const auto [lo, hi] = std::minmax_element(values.begin(), values.end());
     return round_levels(Interval{*lo, *hi}, count);

@@ -20,6 +20,10 @@ struct LinePiece {
     LinePoint a, b;
     std::size_t column = 0;
 
+    void start_at(double x, double y) {
+        a.x = x;
+        a.y = y;
+    }
     void end_at(double x, double y) {
         b.x = x;
         b.y = y;

@@ -7,6 +7,17 @@ namespace {
 
 constexpr std::size_t places_a_piece = 5;  // where lines are looked at for whether they part
 
+bool has_kinks(const BSplineBasis& basis) {
+    const std::span<const double> knots = basis.knots();
+    const std::size_t degree = static_cast<std::size_t>(basis.degree());
+    if (degree == 0) return true;
+    for (std::size_t i = degree + 1; i + 2 * degree < knots.size(); ++i) {
+        const bool is_inside = knots[i] > knots[degree] && knots[i] < knots[knots.size() - degree - 1];
+        if (is_inside && knots[i] == knots[i + degree - 1]) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 Sheet::Sheet(const SplineSurface& surface) : product_(&surface) { find_intervals(); }
@@ -27,6 +38,11 @@ Rectangle Sheet::domain() const { return product_ ? product_->domain() : curved_
 int Sheet::degree() const {
     if (!product_) return curved_->degree();
     return std::min(product_->x_basis().degree(), product_->y_basis().degree());
+}
+
+bool Sheet::has_kinks() const {
+    if (!product_) return degree() <= 1;
+    return surfaces::has_kinks(product_->x_basis()) || surfaces::has_kinks(product_->y_basis());
 }
 
 std::vector<double> Sheet::knots(double y) const {

@@ -41,6 +41,8 @@ public:
     Rectangle domain() const;
     /// The lowest degree of x and y.
     int degree() const;
+    /// Whether slopes may jump across knot lines: as many coincide as the degree.
+    bool has_kinks() const;
 
     /// The ends of the x-domain and the knot lines between, at `y`.
     std::vector<double> knots(double y) const;
