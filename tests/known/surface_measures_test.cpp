@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "random.hpp"
 
 namespace batten {
 namespace surface_measures_test {
@@ -56,6 +59,26 @@ TEST(SurfaceMeasures, FindAPeakBetweenTheLattice) {
     const SurfaceReport r = measure_surface(quadric(0.37, 0.125, 0, -0.5));
     EXPECT_NEAR(r.height.largest.x, 0.37, 1e-7);
     EXPECT_NEAR(r.height.largest.value, 0.37 * 0.37 / 2 + 0.25, 1e-14);
+}
+
+TEST(SurfaceMeasures, FindTheHighestOfManyPeaks) {
+    testing::Random random(5);
+    for (int round = 0; round < 120; ++round) {
+        const int x_degree = random.whole(1, 5), y_degree = random.whole(1, 5);
+        const BSplineBasis x = BSplineBasis::over(even_places({0, 1}, 6), x_degree);
+        const BSplineBasis y = BSplineBasis::over(even_places({0, 1}, 6), y_degree);
+        std::vector<double> heights(x.size() * y.size());
+        for (double& z : heights) z = random.within(-1, 1);
+        const SplineSurface s(x, y, heights);
+        const SurfaceRange range = measure_surface(s, absolute(1e9)).height;
+        const std::vector<double> places = even_places({0, 1}, 151);
+        const Grid seen = s.evaluate(places, places);
+        const std::span<const double> z = seen.view().values();
+        const auto [least, largest] = std::minmax_element(z.begin(), z.end());
+        EXPECT_GE(range.largest.value, *largest - 1e-12) << round;
+        EXPECT_LE(range.least.value, *least + 1e-12) << round;
+        EXPECT_EQ(range.largest.value, s(range.largest.x, range.largest.y));
+    }
 }
 
 }  // namespace surface_measures_test

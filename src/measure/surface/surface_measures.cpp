@@ -1,6 +1,9 @@
 #include "batten/measure/surface_measures.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "batten/measure/graph_bend.hpp"
 #include "num/gauss.hpp"
@@ -13,8 +16,10 @@ using surfaces::Sheet;
 
 constexpr int gauss_nodes = 8;
 constexpr int most_quarterings = 5;
-constexpr int lattice = 5;             // places a patch and direction
+constexpr int height_lattice = 5;      // places a patch and direction
+constexpr int curvature_lattice = 13;  // quotients, with peaks where slopes vanish
 constexpr double finest_step = 1e-9;   // of a patch
+constexpr int most_rounds = 400;       // of a climb along a ridge
 
 /// A part of one knot interval: shares of its width, ordinates.
 struct Part {
@@ -79,13 +84,14 @@ std::array<double, 2> sides_of(const Sheet& sheet, const Part& patch) {
     return {knots[patch.interval + 1] - knots[patch.interval], patch.y.length()};
 }
 
-/// Steps across and along knot lines to better neighbours, halved where there is none.
+/// Steps across and along knot lines to better neighbours, doubled after each and halved where there
+/// is none.
 template <class Value>
 SurfacePlace climbed(const Sheet& sheet, SurfacePlace at, const std::array<double, 2>& sides,
-                     double sign, Value value) {
+                     double widest, double sign, Value value) {
     const Rectangle domain = sheet.domain();
-    double step = 1.0 / lattice;
-    while (step > finest_step) {
+    double step = widest;
+    for (int round = 0; round < most_rounds && step > finest_step; ++round) {
         SurfacePlace best = at;
         for (const auto [dx, dy] : {std::array{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
             const double y = domain.y.clamp(at.y + dy * step * sides[1]);
@@ -94,37 +100,86 @@ SurfacePlace climbed(const Sheet& sheet, SurfacePlace at, const std::array<doubl
             const double height = value(KnotCell::found, x, y);
             if (sign * height > sign * best.value) best = {height, x, y};
         }
-        if (best.x == at.x && best.y == at.y) step /= 2;
+        const bool is_still = best.x == at.x && best.y == at.y;
+        step = is_still ? step / 2 : std::min(2 * step, widest);
         at = best;
     }
     return at;
 }
 
-template <class Value>
-SurfaceRange range_of(const Sheet& sheet, Value value) {
-    SurfaceRange range;
-    std::array<double, 2> low_sides{}, high_sides{};
-    bool is_first = true;
+/// What a lattice sees of one patch.
+template <int lattice>
+struct PatchLattice {
+    SurfacePlace nodes[lattice * lattice];
+    std::array<double, 2> sides{};
+
+    double best(double sign) const {
+        double best = -std::numeric_limits<double>::infinity();
+        for (const SurfacePlace& node : nodes) best = std::max(best, sign * node.value);
+        return best;
+    }
+    /// Whether no node beside is better.
+    bool is_local_best(int k, double sign) const {
+        const int i = k / lattice, j = k % lattice;
+        for (int di = -1; di <= 1; ++di) {
+            for (int dj = -1; dj <= 1; ++dj) {
+                const int r = i + di, s = j + dj;
+                if (r < 0 || r >= lattice || s < 0 || s >= lattice) continue;
+                if (sign * nodes[r * lattice + s].value > sign * nodes[k].value) return false;
+            }
+        }
+        return true;
+    }
+};
+
+template <int lattice, class Value>
+std::vector<PatchLattice<lattice>> lattices_of(const Sheet& sheet, Value value) {
+    std::vector<PatchLattice<lattice>> lattices;
     on_patches(sheet, [&](const Part& patch) {
-        const std::array<double, 2> sides = sides_of(sheet, patch);
+        PatchLattice<lattice> seen;
+        seen.sides = sides_of(sheet, patch);
         for (int k = 0; k < lattice * lattice; ++k) {
             const double share = static_cast<double>(k / lattice) / (lattice - 1);
             const double y = patch.y.lo + patch.y.length() * (k % lattice) / (lattice - 1);
             const double x = Sheet::place({patch.interval, share}, sheet.knots(y));
-            const SurfacePlace place{value(patch.interval, x, y), x, y};
-            if (is_first || place.value < range.least.value) {
-                range.least = place;
-                low_sides = sides;
-            }
-            if (is_first || place.value > range.largest.value) {
-                range.largest = place;
-                high_sides = sides;
-            }
-            is_first = false;
+            seen.nodes[k] = {value(patch.interval, x, y), x, y};
         }
+        lattices.push_back(seen);
     });
-    range.least = climbed(sheet, range.least, low_sides, -1, value);
-    range.largest = climbed(sheet, range.largest, high_sides, 1, value);
+    return lattices;
+}
+
+/// The extreme by climbs from the local bests of all patches, the best first; those are left out
+/// that would have to rise by half of what their patch spans.
+template <int lattice, class Value>
+SurfacePlace extreme_of(const Sheet& sheet, const std::vector<PatchLattice<lattice>>& lattices,
+                        double sign, Value value) {
+    std::vector<std::size_t> order(lattices.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return lattices[a].best(sign) > lattices[b].best(sign);
+    });
+    std::optional<SurfacePlace> best;
+    for (const std::size_t p : order) {
+        const PatchLattice<lattice>& patch = lattices[p];
+        const double span = patch.best(sign) + patch.best(-sign);
+        for (int k = 0; k < lattice * lattice; ++k) {
+            const SurfacePlace& node = patch.nodes[k];
+            const bool may_win =
+                !best || sign * node.value + 0.5 * span > sign * best->value;
+            if (!may_win || !patch.is_local_best(k, sign)) continue;
+            const SurfacePlace top = climbed(sheet, node, patch.sides, 1.0 / lattice, sign, value);
+            if (!best || sign * top.value > sign * best->value) best = top;
+        }
+    }
+    return *best;
+}
+
+template <int lattice, class Value>
+SurfaceRange range_of(const Sheet& sheet, Value value) {
+    const auto lattices = lattices_of<lattice>(sheet, value);
+    SurfaceRange range{extreme_of(sheet, lattices, -1, value),
+                       extreme_of(sheet, lattices, 1, value)};
     if (sheet.is_transposed()) {
         for (SurfacePlace* const place : {&range.least, &range.largest}) {
             std::swap(place->x, place->y);
@@ -163,13 +218,13 @@ SurfaceReport measure_surface(const Surface& surface, Tolerance tolerance) {
     } else {
         report.notes.push_back("the slopes are too large for an area");
     }
-    report.height = range_of(sheet, [&](std::size_t i, double x, double y) {
+    report.height = range_of<height_lattice>(sheet, [&](std::size_t i, double x, double y) {
         return sheet.value_in(i, x, y);
     });
-    report.gaussian_curvature = range_of(sheet, [&](std::size_t i, double x, double y) {
+    report.gaussian_curvature = range_of<curvature_lattice>(sheet, [&](std::size_t i, double x, double y) {
         return graph_bend(sheet.jet_in(i, x, y)).gaussian;
     });
-    report.mean_curvature = range_of(sheet, [&](std::size_t i, double x, double y) {
+    report.mean_curvature = range_of<curvature_lattice>(sheet, [&](std::size_t i, double x, double y) {
         return graph_bend(sheet.jet_in(i, x, y)).mean;
     });
     return report;
