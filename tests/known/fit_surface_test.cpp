@@ -198,6 +198,42 @@ TEST(FittedSurface, SaysHowManyStripsThereCanBe) {
     EXPECT_TRUE(has_note(report, "intervals: the data determine no more than 8 x 2"));
 }
 
+TEST(FittedSurface, EndsItsSearchWhereMissingNodesLeaveTooFew) {
+    SurfaceTable table = surface_of([](double x, double y) { return std::sin(20 * x * y); }, 16, 15, 0.3);
+    for (std::size_t k = 0; k < 28; ++k) table.z.drop(k * 7 % 16, k * 4 % 15);
+    for (const SurfaceKnots knots : {SurfaceKnots::automatic, SurfaceKnots::equal}) {
+        FitSurfaceOptions options;
+        options.sigma = 1e-3;
+        options.knots = knots;
+        const FitSurfaceReport report = fit_surface(table.view(), options).report;
+        EXPECT_GT(report.parameters, 100);
+        EXPECT_LE(static_cast<std::size_t>(report.parameters), report.samples);
+        EXPECT_EQ(report.missing, 28u);
+    }
+}
+
+TEST(FittedSurface, KnowsProductsAndConstants) {
+    FitSurfaceOptions options = with_unit_sigma();
+    const auto odd = [](double x, double y) { return (x - 0.5) * (y - 0.5); };
+    const Separability product = fit_surface(surface_of(odd, 33, 31).view(), options).report.separability;
+    EXPECT_LE(product.product, 1e-12);
+    EXPECT_NEAR(product.additive, 1, 1e-12);
+    const auto two = [](double x, double y) { return x < 0.1 ? 10 * (y < 0.5) : 9 * (y >= 0.5); };
+    options.degree = 1;
+    options.knots = SurfaceKnots::equal;
+    options.intervals = {32, 30};
+    // 4 rows of 15 heights 10, the others of 16 heights 9.
+    const Separability blocks = fit_surface(surface_of(two, 33, 31).view(), options).report.separability;
+    const double small = 4 * 15 * 100, large = 29 * 16 * 81;
+    EXPECT_NEAR(blocks.product, small / (small + large), 1e-9);
+    options.degree = 0;
+    options.intervals = {1, 1};
+    const auto flat = [](double, double) { return 0.1; };
+    const Separability none = fit_surface(surface_of(flat, 9, 9).view(), options).report.separability;
+    EXPECT_EQ(none.additive, 0);
+    EXPECT_LE(none.product, 1e-12);
+}
+
 TEST(FittedSurface, WarnsOfResidualsLargerThanTheErrors) {
     const auto f = [](double x, double y) { return std::sin(9 * x) * std::cos(7 * y); };
     const SurfaceTable table = surface_of(f, 41, 37, 0.01);

@@ -171,6 +171,16 @@ private:
     bool is_cut_off_ = false;
 };
 
+/// Whether there are as many nodes as so many strips have coefficients.
+bool has_nodes_for(const Lattice& lattice, int x_strips, int y_strips) {
+    const double x = x_strips + lattice.degree(), y = y_strips + lattice.degree();
+    return x * y <= static_cast<double>(lattice.samples());
+}
+
+bool try_equal(Lattice& lattice, int x_strips, int y_strips) {
+    return has_nodes_for(lattice, x_strips, y_strips) && lattice.set_equal(x_strips, y_strips);
+}
+
 SurfaceChoice insert_lines(Lattice& lattice, const Target& target) {
     const bool counts = target.rule == StopRule::distribution && target.exactly[0] == 0 &&
                         target.delta2 == 0;
@@ -178,8 +188,10 @@ SurfaceChoice insert_lines(Lattice& lattice, const Target& target) {
     LineSearch search(lattice, target);
     while (search.step_wants_more()) {
         const std::optional<Lattice::Strip> strip = lattice.worst(target.exactly);
-        const std::size_t next = static_cast<std::size_t>(lattice.parameters());
-        if (!strip || next >= lattice.samples()) break;
+        if (!strip || !has_nodes_for(lattice, lattice.x_strips() + strip->is_x,
+                                     lattice.y_strips() + !strip->is_x)) {
+            break;
+        }
         if (lattice.is_tied(*strip, target.exactly)) search.see_tie();
         lattice.split(*strip);
     }
@@ -200,7 +212,7 @@ SurfaceChoice equal_lines(Lattice& lattice, const Target& target) {
     while (search.step_wants_more()) {
         const int m = lattice.x_strips(), n = lattice.y_strips();
         const bool is_x = lattice.is_x_worse();
-        if (!lattice.set_equal(m + is_x, n + !is_x) && !lattice.set_equal(m + !is_x, n + is_x)) {
+        if (!try_equal(lattice, m + is_x, n + !is_x) && !try_equal(lattice, m + !is_x, n + is_x)) {
             break;
         }
     }
@@ -276,6 +288,12 @@ SurfaceChoice moved_where_free(const Data& data, const FitSurfaceOptions& option
     choice.y_knots = std::move(moved.knots[1]);
     choice.moved = moved.moved;
     choice.is_converged = moved.is_converged;
+    if (!moved.is_converged) {
+        choice.notes.push_back("knots: the lines had not come to rest after " +
+                               std::to_string(moved.steps) + " steps; the last one lessened delta2 "
+                               "by " + format_number(std::round(1e8 * moved.last_gain) / 1e6) +
+                               " %");
+    }
     return choice;
 }
 

@@ -62,6 +62,7 @@ MovedLines descend(MovableLines& lines, int degree) {
             for (const KnotModel& model : models) add_step(model, lines.knots(), damping, next);
             is_better = lines.improves_by(std::move(next));
             if (!is_better) continue;
+            result.last_gain = before > 0 ? (before - lines.delta2()) / before : 0;
             small_gains = before - lines.delta2() <= still * before ? small_gains + 1 : 0;
         }
         damping = std::max(least_damping, damping / 5);

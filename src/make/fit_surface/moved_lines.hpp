@@ -18,6 +18,7 @@ struct MovedLines {
     int moved = 0;  ///< knot lines that could move
     int steps = 0;
     bool is_converged = true;
+    double last_gain = 0;  ///< of the last step, a share of delta2
 };
 
 /// Moves all simple inner knot lines of both directions to lessen delta2; the coefficients are

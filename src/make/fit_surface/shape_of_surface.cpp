@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "num/rows.hpp"
 
@@ -15,6 +16,12 @@ std::vector<double> thinned(std::span<const double> lines) {
     std::vector<double> places;
     for (std::size_t i = 0; i < lines.size(); i += step) places.push_back(lines[i]);
     return places;
+}
+
+/// A sum of squared deviations that is but the rounding of the heights.
+double rounding_of(const Grid& z) {
+    constexpr double share = 256 * std::numeric_limits<double>::epsilon();
+    return share * share * num::sum_of_squares(z.view().values());
 }
 
 double additive_rest(const Grid& z) {
@@ -37,7 +44,18 @@ double additive_rest(const Grid& z) {
             rest += interaction * interaction;
         }
     }
-    return all > 0 ? std::min(1.0, rest / all) : 0;
+    return all > rounding_of(z) ? std::min(1.0, rest / all) : 0;
+}
+
+/// All rows added, each with the sign that makes the sum longer: of a product a multiple of every
+/// row, whatever the signs of its heights.
+std::vector<double> aligned_sum(std::span<const double> values, std::size_t m, std::size_t n) {
+    std::vector<double> sum(n, 0.0);
+    for (std::size_t i = 0; i < m; ++i) {
+        const std::span<const double> row = values.subspan(i * n, n);
+        num::add_times(num::dot(row, sum) < 0 ? -1 : 1, row, sum);
+    }
+    return sum;
 }
 
 /// 1 less the largest squared singular value's share, by power iteration.
@@ -45,10 +63,7 @@ double product_rest(const Grid& z) {
     const std::size_t m = z.nu(), n = z.nv();
     const std::span<const double> values = z.view().values();
     const double all = num::sum_of_squares(values);
-    std::vector<double> v(n, 0.0), u(m);
-    for (std::size_t i = 0; i < m; ++i) {
-        for (std::size_t j = 0; j < n; ++j) v[j] += std::fabs(values[i * n + j]);
-    }
+    std::vector<double> v = aligned_sum(values, m, n), u(m);
     double largest_sq = 0;
     for (int round = 0; round < 200 && all > 0; ++round) {
         const double scale = 1 / std::sqrt(num::sum_of_squares(v));
