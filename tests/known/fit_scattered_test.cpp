@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <numeric>
 
 #include "batten/make/fit_scattered.hpp"
@@ -84,6 +85,41 @@ TEST(ScatteredSurface, TellsWhichCoefficientsAGapSwallows) {
     // A plane goes on across the gap.
     EXPECT_NEAR(made.surface(0.5, 0.5), 0.5, 1e-5);
     EXPECT_NEAR(made.surface(0.05, 0.9), -1.6, 1e-9);
+}
+
+TEST(ScatteredSurface, EndsItsSearchWhereSamplesAreTooFew) {
+    Random random(8);
+    Rows3 rows;
+    for (int k = 0; k < 92; ++k) {
+        rows.x.push_back(random.within(0, 1));
+        rows.y.push_back(random.within(0, 1));
+        rows.z.push_back(random.within(-1, 1));
+    }
+    for (const SurfaceKnots knots : {SurfaceKnots::automatic, SurfaceKnots::equal}) {
+        FitSurfaceOptions options;
+        options.sigma = 1e-4;
+        options.knots = knots;
+        EXPECT_LE(fit_scattered(rows.view(), options).report.parameters, 92);
+    }
+}
+
+TEST(ScatteredSurface, MeasuresInTheErrorsThatAreLeftWhereNoneAreKnown) {
+    const SurfaceTable table = surface_of(bumps, 31, 32, 0.05);
+    const Rows3 rows = rows_of(table);
+    const FitSurfaceReport made = fit_scattered(rows.view(), {}).report;
+    const double degrees = static_cast<double>(made.samples) - made.parameters;
+    EXPECT_NEAR(made.delta2, degrees, 1e-9 * degrees);
+    EXPECT_NEAR(*made.sigma2, 1, 1e-12);
+    EXPECT_NEAR(*made.sigma, 0.05, 0.005);
+    const FitCriteria same =
+        fit_criteria(made.delta2, made.samples, made.parameters, SigmaKnowledge::unknown);
+    EXPECT_EQ(made.bic, same.bic);
+    // The best of the path is what was chosen.
+    const auto best = std::min_element(
+        made.path.begin(), made.path.end(),
+        [](const SurfaceStep& a, const SurfaceStep& b) { return a.bic < b.bic; });
+    EXPECT_EQ(best->intervals, made.intervals);
+    EXPECT_NEAR(best->bic, made.bic, 1e-6);
 }
 
 TEST(ScatteredSurface, ScalesExactly) {

@@ -20,7 +20,15 @@ std::vector<double> typical_lines(Interval range, std::size_t samples) {
     return even_places(range, std::max<std::size_t>(2, static_cast<std::size_t>(side)));
 }
 
-/// Where the errors are not known: what is left over.
+/// The criteria of a delta2 in units of other errors.
+void rescale(FitCriteria& criteria, const Cloud& cloud, int parameters, double unit) {
+    const double delta2 = criteria.delta2 / (unit * unit);
+    criteria = fit_criteria(std::max(criteria.delta2, cloud.least_delta2) / (unit * unit),
+                            cloud.count(), parameters, SigmaKnowledge::unknown);
+    criteria.delta2 = delta2;
+}
+
+/// Where the errors are not known: what is left over is the unit of delta2, of the path too.
 void scale_to_leftover(FitSurfaceReport& report, const Cloud& cloud, const SplineSurface& surface) {
     report.sigma = report.sigma2 ? std::sqrt(*report.sigma2) : 0;
     if (!(*report.sigma > 0)) return;
@@ -32,6 +40,8 @@ void scale_to_leftover(FitSurfaceReport& report, const Cloud& cloud, const Splin
     for (std::size_t w = 0; w < psi_count; ++w) {
         report.psi[w] = within[w] / static_cast<double>(cloud.count());
     }
+    rescale(report, cloud, report.parameters, *report.sigma);
+    for (SurfaceStep& step : report.path) rescale(step, cloud, step.parameters, *report.sigma);
 }
 
 }  // namespace
@@ -52,13 +62,13 @@ SurfaceFit fit_scattered(const ScatteredSamples& samples, const FitSurfaceOption
     fill_criteria(report, fit.misfit,
                   {cloud.count(), 0, cloud.sigma_known, cloud.source, cloud.sigma,
                    cloud.least_delta2});
-    if (!cloud.sigma_known) scale_to_leftover(report, cloud, surface);
     report.parameters_charged = report.parameters + choice.moved;
     const std::vector<double> across = typical_lines(cloud.domain.x, cloud.count());
     const std::vector<double> along = typical_lines(cloud.domain.y, cloud.count());
     report.separability = separability(surface, across, along);
     report.oscillation = oscillation(surface, across, along);
     report.path = std::move(choice.path);
+    if (!cloud.sigma_known) scale_to_leftover(report, cloud, surface);
     report.notes = std::move(choice.notes);
     report.undetermined = std::move(fit.open);
     report.iterations = fit.solution.iterations;
