@@ -184,7 +184,7 @@ TEST(FitByInsertion, TellsOfIntervalsThatFitEquallyBadly) {
         table.y.push_back(std::exp(-8 * table.x.back() * table.x.back()));
     }
     FitOptions options;
-    options.sigma = 0.01;
+    options.sigma = 0.2;
     options.intervals = 3;
     const FitReport report = fit(table.without_sigma(), options).report;
     ASSERT_EQ(report.notes.size(), 1u);

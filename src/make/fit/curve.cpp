@@ -71,6 +71,7 @@ FitReport report_of(CurveSearch& search) {
     report.notes = std::move(search.choice().notes);
     note_open_coefficients(report);
     note_what_sigma_hides(report);
+    note_large_residuals(report);
     const auto before = std::find_if(
         report.path.rbegin(), report.path.rend(),
         [&](const FitStep& step) { return step.intervals == report.intervals; });

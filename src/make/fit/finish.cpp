@@ -73,6 +73,16 @@ void note_what_sigma_hides(FitReport& report) {
                            format_brief(ratio * *report.sigma, 4));
 }
 
+void note_large_residuals(FitReport& report) {
+    constexpr double improbable = 1e-6;
+    if (report.sigma_source == SigmaSource::estimated || !report.chi2_p ||
+        !(*report.chi2_p < improbable)) {
+        return;
+    }
+    report.notes.push_back("chi2_p: the residuals are larger than the errors, sigma2 is " +
+                           format_brief(report.sigma2.value_or(0), 4));
+}
+
 void fill_band(FitReport& report, const SplineFunction& spline, const FitCovariance& covariance) {
     const Interval domain = spline.domain();
     const double factor = covariance.factor_95();

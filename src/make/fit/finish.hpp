@@ -33,6 +33,9 @@ void note_many_coefficients(FitReport& report);
 /// A note where errors were estimated and residuals are of another size: three times more or less.
 void note_what_sigma_hides(FitReport& report);
 
+/// A note where errors are known and more is left than they would leave: chi2_p below 1e-6.
+void note_large_residuals(FitReport& report);
+
 /// The 95 % band at 201 abscissae.
 void fill_band(FitReport& report, const SplineFunction& spline, const FitCovariance& covariance);
 

@@ -206,6 +206,7 @@ FitReport report_of(Solved& solved, const SplineFunction& spline) {
     note_open_coefficients(report);
     if (solved.choice.by_data && solved.choice.is_met) note_many_coefficients(report);
     note_what_sigma_hides(report);
+    note_large_residuals(report);
     report.status = status_of(report, solved.choice, solved.last.is_within);
     if (!solved.last.is_settled) {
         report.notes.push_back("robust: weights still change after " +

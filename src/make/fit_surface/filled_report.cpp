@@ -61,20 +61,34 @@ void note_what_lies_beyond(FitSurfaceReport& report, const SplineSurface& surfac
                            ": fewer strips, or lines that keep clear of the holes, hold it better");
 }
 
-void note_what_is_badly_fitted(FitSurfaceReport& report) {
-    constexpr double swings = 2, improbable = 1e-6;
-    const auto rounded = [](double x) { return format_fixed(x, 2); };
+namespace {
+
+std::string rounded(double x) { return format_fixed(x, 2); }
+
+/// How far the surface is from one made of one function a direction, to stand behind a note.
+std::string apart_from_products(const SurfaceQuality& report) {
     const Separability& s = report.separability;
-    const std::string apart = "; separability " + rounded(s.additive) + ", " + rounded(s.product) +
-                              " (0: made of u(x) and v(y))";
-    if (report.oscillation > swings) {
-        report.notes.push_back("oscillation " + rounded(report.oscillation) +
-                               ": the surface swings between the samples" + apart +
-                               ": fronts that are not parallel to the axes want curved knot lines");
-    } else if (report.chi2_p && *report.chi2_p < improbable) {
-        report.notes.push_back("chi2_p: the residuals are larger than the errors, sigma2 is " +
-                               rounded(report.sigma2.value_or(0)) + apart);
-    }
+    return "; separability " + rounded(s.additive) + ", " + rounded(s.product) +
+           " (0: made of u(x) and v(y))";
+}
+
+/// Notes where more is left than errors would leave.
+void note_large_residuals(SurfaceQuality& report) {
+    constexpr double improbable = 1e-6;
+    if (!report.chi2_p || !(*report.chi2_p < improbable)) return;
+    report.notes.push_back("chi2_p: the residuals are larger than the errors, sigma2 is " +
+                           rounded(report.sigma2.value_or(0)) + apart_from_products(report));
+}
+
+}  // namespace
+
+void note_what_is_badly_fitted(FitSurfaceReport& report) {
+    constexpr double swings = 2;
+    if (!(report.oscillation > swings)) return note_large_residuals(report);
+    report.notes.push_back("oscillation " + rounded(report.oscillation) +
+                           ": the surface swings between the samples" +
+                           apart_from_products(report) +
+                           ": fronts that are not parallel to the axes want curved knot lines");
 }
 
 namespace {
@@ -115,6 +129,7 @@ void fill_front(FrontReport& report, const Nodes& nodes, const CurvedKnotSurface
     report.breaks_y = straight_breaks(domain.y, surface.y_lines(), is_upright);
     report.separability = separability(surface, nodes.x, nodes.y);
     report.oscillation = oscillation(surface, nodes.x, nodes.y);
+    note_large_residuals(report);
 }
 
 void require_finite_solution(const std::vector<double>& coefficients, double delta2) {
