@@ -1,6 +1,7 @@
 #include "inputs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -184,13 +185,28 @@ bool is_column(const std::vector<Input>& inputs, const std::string& text) {
     return text.starts_with('#') || std::find(names.begin(), names.end(), text) != names.end();
 }
 
-/// The errors of a grid's nodes, NaN where there is none.
-Points errors_on_grid(const std::string& path) {
-    const GridFile grid = read_grid(path);
-    Points rows(grid.z.nu(), static_cast<int>(grid.z.nv()));
-    for (std::size_t i = 0; i < grid.z.nu(); ++i) {
-        for (std::size_t j = 0; j < grid.z.nv(); ++j) {
-            rows[i][j] = grid.z.has(i, j) ? grid.z(i, j) : std::numeric_limits<double>::quiet_NaN();
+/// Whether the lines of the grid of heights fall in its file, in x and in y.
+std::array<bool, 2> turned_lines(const std::vector<Input>& inputs) {
+    const auto* source = inputs.empty() ? nullptr : std::get_if<Source>(&inputs.front().content);
+    if (!source || grid_format(*source) != GridFormat::text) return {false, false};
+    const GridFile heights = parse_grid(*source);
+    return {heights.x_is_turned, heights.y_is_turned};
+}
+
+/// The errors of a grid's nodes in the order of the heights' file, NaN where there is none. Those
+/// with places of their own are read rising.
+Points errors_on_grid(const std::string& path, const std::vector<Input>& inputs) {
+    const Source source = read_source(path);
+    const GridFile grid = parse_grid(source);
+    const bool has_places = grid_format(source) == GridFormat::text;
+    const auto [turns_x, turns_y] =
+        has_places ? turned_lines(inputs) : std::array<bool, 2>{false, false};
+    const std::size_t nu = grid.z.nu(), nv = grid.z.nv();
+    Points rows(nu, static_cast<int>(nv));
+    for (std::size_t i = 0; i < nu; ++i) {
+        for (std::size_t j = 0; j < nv; ++j) {
+            const std::size_t r = turns_x ? nu - 1 - i : i, s = turns_y ? nv - 1 - j : j;
+            rows[i][j] = grid.z.has(r, s) ? grid.z(r, s) : std::numeric_limits<double>::quiet_NaN();
         }
     }
     return rows;
@@ -202,7 +218,7 @@ Argument errors_of(const Command& command, const Field& field, const std::string
     if (is_number(text) || is_column(inputs, text)) return text;
     const bool is_grid =
         command.operation->input == InputKind::grid && !is_flag_set(command, "scattered");
-    if (is_grid) return errors_on_grid(text);
+    if (is_grid) return errors_on_grid(text, inputs);
     if (!std::filesystem::is_regular_file(text)) {
         const auto* points =
             inputs.empty() ? nullptr : std::get_if<PointsInput>(&inputs.front().content);

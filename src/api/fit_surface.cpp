@@ -5,8 +5,10 @@
 #include <optional>
 
 #include "api/row.hpp"
+#include "api/scattered_columns.hpp"
 #include "api/surface_picture.hpp"
 #include "api/surface_values.hpp"
+#include "api/turned_grid.hpp"
 #include "batten/base/text.hpp"
 #include "batten/io/grid_file.hpp"
 #include "batten/io/surface_file.hpp"
@@ -23,6 +25,7 @@ struct SurfaceRequest {
     Errors sigma;
     std::vector<double> x_sigma, y_sigma;
     bool scattered = false;
+    std::string columns;
     Points lines{0, 1};
     bool stream = false;
     FitSurfaceOptions fit;
@@ -36,6 +39,8 @@ void visit_fields(Options& o, Visit&& visit) {
     visit("y", o.y, anything, "places of the grid's lines in y");
     visit("scattered", o.scattered, anything,
           "rows x,y,z[,sigma] in any places, not on a grid");
+    visit("columns", o.columns, anything,
+          "of --scattered rows: the columns of x, y, z and, as a fourth, the errors: names or #k");
     visit("lines", o.lines, anything,
           "rows y,X1,X2,...: curved knot lines x = X(y) that are given");
     visit("stream", o.stream, anything,
@@ -59,6 +64,44 @@ void take_lines(std::vector<double>& lines, const std::vector<double>& given, co
                     "the grid has " + std::to_string(lines.size()) + " lines in this direction");
     }
     lines = given;
+}
+
+/// What is asked line by line in x, or in y, the other way round.
+void turn_errors_in_x(SurfaceRequest& request) {
+    std::reverse(request.x_sigma.begin(), request.x_sigma.end());
+    reverse_rows(request.sigma.each, request.sigma.width);
+}
+
+void turn_errors_in_y(SurfaceRequest& request) {
+    std::reverse(request.y_sigma.begin(), request.y_sigma.end());
+    reverse_in_rows(request.sigma.each, request.sigma.width);
+}
+
+/// What is told line by line follows the file's lines, which were turned if they fell.
+void follow_lines(SurfaceRequest& request, bool x_is_turned, bool y_is_turned) {
+    if (x_is_turned) {
+        std::reverse(request.x.begin(), request.x.end());
+        turn_errors_in_x(request);
+    }
+    if (y_is_turned) {
+        std::reverse(request.y.begin(), request.y.end());
+        turn_errors_in_y(request);
+    }
+}
+
+/// The lines asked for, turned round with all that stands on them where they fall.
+void take_all_lines(GridFile& grid, SurfaceRequest& request) {
+    follow_lines(request, grid.x_is_turned, grid.y_is_turned);
+    take_lines(grid.x, request.x, "x");
+    take_lines(grid.y, request.y, "y");
+    if (falls(grid.x)) {
+        turn_x(grid);
+        turn_errors_in_x(request);
+    }
+    if (falls(grid.y)) {
+        turn_y(grid);
+        turn_errors_in_y(request);
+    }
 }
 
 bool has_products(const SurfaceRequest& request) {
@@ -167,38 +210,31 @@ Outcome run_curved(const GridFile& grid, const SurfaceRequest& request) {
     return tensor_outcome(std::move(made.tensor), with_products(grid, request));
 }
 
-/// The column of one of these names, else the `place`-th.
-int scattered_column(const Table& table, std::initializer_list<const char*> names, int place) {
-    for (const char* const name : names) {
-        const auto at = std::find(table.names.begin(), table.names.end(), name);
-        if (at != table.names.end()) return static_cast<int>(at - table.names.begin());
-    }
-    return column_index(table, "#" + std::to_string(place));
-}
-
-bool has_sigma_column(const Table& table) {
-    return std::find(table.names.begin(), table.names.end(), "sigma") != table.names.end() ||
-           (table.names.empty() && table.columns() == 4);
-}
-
 /// What goes with grids only.
 void require_no_grid(const SurfaceRequest& request) {
     SurfaceRequest others = request;
     others.fit = {};
-    require_only(others, {"scattered", "sigma"}, "goes with grids only, not with scattered rows");
+    require_only(others, {"scattered", "columns", "sigma"},
+                 "goes with grids only, not with scattered rows");
     if (request.fit.knots == SurfaceKnots::curved) {
         throw Error("fit.options", "knots", "curved", "goes with grids only, not with scattered rows");
     }
+}
+
+void require_no_columns(const SurfaceRequest& request) {
+    if (request.columns.empty()) return;
+    throw Error("fit.options", "columns", request.columns,
+                "goes with scattered rows only, not with a grid");
 }
 
 Outcome run_scattered(std::span<const Input> inputs, const SurfaceRequest& request) {
     require_no_grid(request);
     const PointsInput input = rows_input(inputs);
     const Table& table = input.table;
-    const std::vector<double> x = column_values(table, scattered_column(table, {"x"}, 1));
-    const std::vector<double> y = column_values(table, scattered_column(table, {"y"}, 2));
-    const std::vector<double> z =
-        column_values(table, scattered_column(table, {"z", "f", "value", "height"}, 3));
+    const ScatteredColumns columns = scattered_columns(table, request.columns);
+    const std::vector<double> x = column_values(table, columns.x);
+    const std::vector<double> y = column_values(table, columns.y);
+    const std::vector<double> z = column_values(table, columns.z);
     if (has_products(request) || request.sigma.width != 1) {
         throw Error("fit.options", has_products(request) ? "x_sigma, y_sigma" : "sigma", "given",
                     "errors of a grid's nodes are for grids");
@@ -206,8 +242,8 @@ Outcome run_scattered(std::span<const Input> inputs, const SurfaceRequest& reque
     std::vector<double> sigma = request.sigma.each;
     if (!request.sigma.column.empty()) {
         sigma = column_values(table, column_index(table, request.sigma.column));
-    } else if (!request.sigma.is_given() && has_sigma_column(table)) {
-        sigma = column_values(table, scattered_column(table, {"sigma"}, 4));
+    } else if (!request.sigma.is_given() && columns.sigma) {
+        sigma = column_values(table, *columns.sigma);
     }
     const SurfaceFit made = naming_lines(
         input, [&] { return fit_scattered({x, y, z, sigma}, request.fit); });
@@ -225,7 +261,47 @@ bool is_streamed(std::span<const Input> inputs, const SurfaceRequest& request) {
     return request.stream || (is_stored && !request.scattered);
 }
 
-Outcome run_streamed(std::span<const Input> inputs, const SurfaceRequest& request) {
+/// A grid read in blocks over the lines asked for, which may fall.
+class StreamedGrid {
+public:
+    StreamedGrid(GridStream grid, SurfaceRequest& request) : grid_(std::move(grid)) {
+        follow_lines(request, grid_.x_is_turned(), grid_.y_is_turned());
+        x = grid_.x();
+        y = grid_.y();
+        take_lines(x, request.x, "x");
+        take_lines(y, request.y, "y");
+        x_falls_ = falls(x);
+        y_falls_ = falls(y);
+        if (x_falls_) {
+            std::reverse(x.begin(), x.end());
+            turn_errors_in_x(request);
+        }
+        if (y_falls_) {
+            std::reverse(y.begin(), y.end());
+            turn_errors_in_y(request);
+        }
+    }
+
+    void read(std::size_t first, std::span<double> z) {
+        const std::size_t rows = z.size() / y.size();
+        grid_.read(x_falls_ ? x.size() - first - rows : first, z);
+        // A row turned, or all of them, is a turn of everything and a turn of every row.
+        if (x_falls_) std::reverse(z.begin(), z.end());
+        if (x_falls_ == y_falls_) return;
+        for (std::size_t r = 0; r < rows; ++r) {
+            const std::span<double> row = z.subspan(r * y.size(), y.size());
+            std::reverse(row.begin(), row.end());
+        }
+    }
+
+    std::vector<double> x, y;  ///< rising
+
+private:
+    GridStream grid_;
+    bool x_falls_ = false, y_falls_ = false;
+};
+
+Outcome run_streamed(std::span<const Input> inputs, SurfaceRequest request) {
     if (request.scattered || !request.lines.empty()) {
         throw Error("fit-surface.streamed", request.scattered ? "scattered" : "lines", "given",
                     "only grids with straight knot lines are read in blocks");
@@ -238,11 +314,10 @@ Outcome run_streamed(std::span<const Input> inputs, const SurfaceRequest& reques
         throw Error("fit-surface.streamed", "sigma", "an error a node",
                     "grids read in blocks have one error of all, or products: x_sigma, y_sigma");
     }
+    require_no_columns(request);
     require_one_kind(request);
-    GridStream grid = grid_stream_input(inputs);
-    std::vector<double> x = grid.x(), y = grid.y();
-    take_lines(x, request.x, "x");
-    take_lines(y, request.y, "y");
+    StreamedGrid grid(grid_stream_input(inputs), request);
+    const std::vector<double>&x = grid.x, &y = grid.y;
     SurfaceFit made = fit_surface(
         {x, y, [&](std::size_t first, std::span<double> z) { grid.read(first, z); },
          request.x_sigma, request.y_sigma},
@@ -275,9 +350,9 @@ Outcome run(std::span<const Input> inputs, const SurfaceRequest& asked) {
     request.fit.sigma = asked.sigma.all;
     if (is_streamed(inputs, request)) return run_streamed(inputs, request);
     if (request.scattered) return run_scattered(inputs, request);
+    require_no_columns(request);
     GridFile grid = grid_input(inputs);
-    take_lines(grid.x, request.x, "x");
-    take_lines(grid.y, request.y, "y");
+    take_all_lines(grid, request);
     take_errors(grid, request);
     if (!request.lines.empty()) return run_lines(grid, request);
     if (request.fit.knots == SurfaceKnots::curved) return run_curved(grid, request);

@@ -50,10 +50,15 @@ bool has_level_lines(const Surface& surface) {
     return std::min(product.x_basis().degree(), product.y_basis().degree()) > 0;
 }
 
+/// The lines; of a surface that has none its heights, which are one.
 Panel levels_of(const Surface& surface, const std::vector<double>& levels) {
     const std::string caption = "lines of equal height";
-    if (has_level_lines(surface)) return level_plot(surface, levels, caption);
-    return level_plot(sampled(surface, level_nodes), levels, caption);
+    Panel panel = has_level_lines(surface)
+                      ? level_plot(surface, levels, caption)
+                      : level_plot(sampled(surface, level_nodes), levels, caption);
+    if (!panel.layers.empty()) return panel;
+    const Heights heights = seen(surface);
+    return height_map(heights, "one height: " + format_brief(heights.z(0, 0), 4));
 }
 
 Panel relief_of(const Surface& surface, const Heights& heights, const std::vector<double>& levels) {

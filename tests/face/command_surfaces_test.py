@@ -115,6 +115,81 @@ class Surfaces(Folder):
         self.assertEqual(searched, self.report("fit-surface", self.grid())["report"])
         self.refused("fit-surface.streamed", "fit-surface", self.grid(), "--stream", "--scattered")
 
+    def test_what_stands_line_by_line_is_turned_with_falling_lines(self):
+        heights = [[math.sin(3 * i + 2 * j * j) for j in range(6)] for i in range(7)]
+        x_sigma = [1 + i for i in range(7)]
+        y_sigma = [1, 1, 1, 2, 5, 30]
+        lines = ["--degree", "1", "--knots", "equal", "--intervals", "2,2"]
+        seen = set()
+        for x_way in (1, -1):
+            for y_way in (1, -1):
+                rows = ["c," + ",".join(str(j) for j in range(6)[::y_way])]
+                rows += [",".join(str(v) for v in [i] + heights[i][::y_way])
+                         for i in range(7)[::x_way]]
+                grid = self.file("t.csv", "\n".join(rows) + "\n")
+                products = ["--x-sigma", ",".join(map(str, x_sigma[::x_way])),
+                            "--y-sigma", ",".join(map(str, y_sigma[::y_way]))]
+                for more in ([], ["--stream"]):
+                    report = self.report("fit-surface", grid, *products, *lines, *more)["report"]
+                    seen.add(round(report["delta2"], 9))
+                # The same heights without places, which are given.
+                bare = ["0," + ",".join(str(j) for j in range(6))]
+                bare += [",".join(str(v) for v in [i] + heights[i][::y_way]) for i in range(7)]
+                if x_way < 0:
+                    bare[1:] = [",".join(str(v) for v in [6 - i] + heights[i][::y_way])
+                                for i in range(6, -1, -1)]
+                places = ["--x", ",".join(str(i) for i in range(7)[::x_way]),
+                          "--y", ",".join(str(j) for j in range(6)[::y_way])]
+                for more in ([], ["--stream"]):
+                    report = self.report("fit-surface", self.file("b.csv", "\n".join(bare) + "\n"),
+                                         *places, *products, *lines, *more)["report"]
+                    seen.add(round(report["delta2"], 9))
+        self.assertEqual(len(seen), 1, seen)
+
+    def test_scattered_columns_are_named_or_picked_or_refused(self):
+        values = [(i, 100 + i % 7, 200 + i * i % 11, math.sin(i)) for i in range(60)]
+        text = "".join(f"{i},{x},{y},{z}\n" for i, x, y, z in values)
+        ids = self.file("ids.csv", "id,easting,northing,depth\n" + text)
+        equal = ["--scattered", "--knots", "equal", "--intervals", "1,1", "--degree", "1"]
+        self.refused("table.columns", "fit-surface", ids, *equal,
+                     says=("id, easting, northing, depth", "--columns"))
+        picked = self.report("fit-surface", ids, *equal, "--columns", "easting,northing,depth")
+        self.assertEqual(picked["report"]["breaks_x"], [100, 106])
+        named = self.file("named.csv", "id,x,y,z\n" + text)
+        self.assertEqual(self.report("fit-surface", named, *equal)["report"], picked["report"])
+        three = self.file("three.csv", "".join(f"{x},{y},{z}\n" for _, x, y, z in values))
+        self.assertEqual(self.report("fit-surface", three, *equal)["report"], picked["report"])
+        self.refused("fit.options", "fit-surface", self.grid(), "--columns", "a,b,c")
+
+    def test_a_flat_grid_is_drawn(self):
+        flat = self.file("flat.csv", ",0,1,2,3,4\n" + "".join(f"{i}" + ",2.5" * 5 + "\n"
+                                                             for i in range(5)))
+        self.good("fit-surface", flat, "-o", self.path("f.json"), "--draw", self.path("f.svg"))
+        with open(self.path("f.svg"), encoding="utf-8") as picture:
+            self.assertIn("one height: 2.5", picture.read())
+
+    def test_lines_that_do_not_come_to_rest_are_told(self):
+        grid = os.path.join(os.path.abspath(sys.argv[2]), "cases", "surfaces", "hatano-surface.csv")
+        done = self.run_command("fit-surface", grid, "--sigma", "1", "--knots", "free",
+                                "--intervals", "8,8", "-o", self.path("f.json"), "--quiet",
+                                "--report", self.path("r.json"))
+        self.assertEqual(done.returncode, 3, done.stderr)
+        with open(self.path("r.json"), encoding="utf-8") as stream:
+            report = json.load(stream)
+        self.assertEqual(report["status"], "not_converged")
+        self.assertTrue(any("come to rest" in note for note in report["report"]["notes"]))
+
+    def test_given_lines_that_fit_badly_are_told(self):
+        rows = ["," + ",".join(str(j / 20) for j in range(21))]
+        for i in range(41):
+            heights = [math.tanh((i / 40 - 0.5) / 0.02) for j in range(21)]
+            rows.append(",".join(str(z) for z in [i / 40] + heights))
+        report = self.report("fit-surface", self.file("step.csv", "\n".join(rows) + "\n"),
+                             "--sigma", "0.01", "--lines",
+                             self.file("far.csv", "y,X1\n0,0.8\n0.5,0.8\n1,0.8\n"))["report"]
+        self.assertEqual(report["chi2_p"], 0)
+        self.assertTrue(any("residuals are larger" in note for note in report["notes"]))
+
     def test_options_without_effect_are_refused(self):
         for given in (["--intervals", "3,3"], ["--stop", "aic"], ["--delta2", "3"],
                       ["--degree", "5"], ["--rule", "marginal"], ["--x-knots", "0.5"]):

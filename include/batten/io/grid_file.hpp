@@ -14,6 +14,8 @@ struct GridFile {
     std::vector<double> x, y;    ///< rising
     Grid z{0, 0};                ///< x.size() x y.size(); NaN and empty cells are missing
     std::vector<double> sigma;   ///< errors, one a node, or none
+    bool x_is_turned = false;    ///< fell in the file, as what is told line by line there does
+    bool y_is_turned = false;
     std::vector<std::string> notes;
 };
 

@@ -32,6 +32,9 @@ public:
     /// Rising: falling ones are turned round, with their heights. Those of `.npy` count from 0.
     const std::vector<double>& x() const;
     const std::vector<double>& y() const;
+    /// Whether they fell in the file.
+    bool x_is_turned() const;
+    bool y_is_turned() const;
 
     /// The heights of whole rows from row `first` on: z.size() / y().size() of them; NaN where one
     /// is missing. Throws `grid.cell`, `grid.ragged`, `table.quote`, `file.unreadable`.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,6 +30,11 @@ void require_width(std::size_t cells, std::size_t width, const std::string& sour
 /// `grid.axis`.
 std::vector<std::size_t> rising(const std::vector<double>& given, const std::string& source,
                                 const char* axis);
+
+/// Whether that order is the other way round.
+inline bool is_turned(const std::vector<std::size_t>& order) {
+    return !order.empty() && order.front() != 0;
+}
 
 /// Whether the first row shows rows x, y, f[, sigma] rather than a table.
 bool is_long_form(const std::vector<std::string>& first);

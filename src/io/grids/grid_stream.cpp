@@ -41,6 +41,8 @@ GridStream& GridStream::operator=(GridStream&&) noexcept = default;
 const std::string& GridStream::name() const { return rows_->bytes.name(); }
 const std::vector<double>& GridStream::x() const { return rows_->x; }
 const std::vector<double>& GridStream::y() const { return rows_->y; }
+bool GridStream::x_is_turned() const { return rows_->x_is_turned; }
+bool GridStream::y_is_turned() const { return rows_->y_is_turned; }
 void GridStream::read(std::size_t first, std::span<double> z) { rows_->read(first, z); }
 
 }  // namespace batten

@@ -64,6 +64,8 @@ GridFile table_form(const std::vector<TextRow>& rows, const std::string& source)
     }
     const std::vector<std::size_t> x_order = rising(x, source, "x"), y_order = rising(y, source, "y");
     GridFile file;
+    file.x_is_turned = is_turned(x_order);
+    file.y_is_turned = is_turned(y_order);
     file.z = Grid(x.size(), y.size());
     for (const std::size_t i : x_order) file.x.push_back(x[i]);
     for (const std::size_t j : y_order) file.y.push_back(y[j]);

@@ -17,6 +17,7 @@ public:
 
     StoredBytes bytes;
     std::vector<double> x, y;
+    bool x_is_turned = false, y_is_turned = false;
 };
 
 std::unique_ptr<StoredRows> npy_rows(StoredBytes bytes);

@@ -145,6 +145,8 @@ private:
     void turn() {
         const std::vector<std::size_t> order = rising(x, bytes.name(), "x");
         y_order_ = rising(y, bytes.name(), "y");
+        x_is_turned = is_turned(order);
+        y_is_turned = is_turned(y_order_);
         const auto turned = [](const auto& from, const std::vector<std::size_t>& by) {
             auto result = from;
             for (std::size_t i = 0; i < by.size(); ++i) result[i] = from[by[i]];
