@@ -25,7 +25,7 @@ namespace {
 constexpr int most_derivatives = 9;
 
 struct EvaluateOptions {
-    Coordinates at;
+    CoordinateRows at;
     std::optional<int> count;
     int derivatives = 0;
     std::vector<double> integral;
@@ -92,7 +92,13 @@ void visit_fields(const EvaluateReport& r, Visit&& visit) {
     if (r.intersections) visit("intersections", r.intersections, "where the curve meets the line");
 }
 
+void require_row_width(const CoordinateRows& at, int most, const char* rule) {
+    if (at.width <= most) return;
+    throw Error("option.value", "at", std::to_string(at.width) + " columns", rule);
+}
+
 std::vector<double> parameters(const Curve& curve, const EvaluateOptions& options) {
+    require_row_width(options.at, 1, "must be one parameter a row");
     const Interval domain = curve.domain();
     for (const double t : options.at.numbers) {
         if (!domain.contains(t)) {
@@ -293,6 +299,7 @@ Outcome run_surface(const Surface& surface, const EvaluateOptions& options) {
         throw Error("surface.option", "evaluate", "roots, extrema, band, nearest or line",
                     "these are asked of curves");
     }
+    require_row_width(options.at, 2, "must be places, x and y in a row");
     constexpr int usual_count = 33;
     const bool asks_nothing = options.at.numbers.empty() && options.integral.empty();
     const Rows rows = surface_rows(

@@ -153,8 +153,9 @@ void read(const Argument& argument, std::vector<double>& out, const Slot& slot) 
     }
 }
 
-void read(const Argument& argument, Coordinates& out, const Slot& slot) {
+void read(const Argument& argument, CoordinateRows& out, const Slot& slot) {
     const auto* rows = std::get_if<Points>(&argument);
+    out.width = rows ? rows->dim() : 1;
     if (!rows) return read(argument, out.numbers, slot);
     out.numbers.assign(rows->coordinates().begin(), rows->coordinates().end());
     for (const double x : out.numbers) checked(x, slot);

@@ -24,6 +24,12 @@ struct Slot {
     Limits limits;
 };
 
+/// Coordinates, and how many stand in a row of the table they come from; in a list 1.
+struct CoordinateRows : Coordinates {
+    int width = 1;
+    bool operator==(const CoordinateRows&) const = default;
+};
+
 void read(const Argument& argument, bool& out, const Slot& slot);
 void read(const Argument& argument, int& out, const Slot& slot);
 void read(const Argument& argument, double& out, const Slot& slot);
@@ -31,7 +37,7 @@ void read(const Argument& argument, std::string& out, const Slot& slot);
 void read(const Argument& argument, Tolerance& out, const Slot& slot);
 void read(const Argument& argument, Angle& out, const Slot& slot);
 void read(const Argument& argument, AutoNumber& out, const Slot& slot);
-void read(const Argument& argument, Coordinates& out, const Slot& slot);
+void read(const Argument& argument, CoordinateRows& out, const Slot& slot);
 void read(const Argument& argument, Errors& out, const Slot& slot);
 void read(const Argument& argument, IndexRange& out, const Slot& slot);
 void read(const Argument& argument, Interval& out, const Slot& slot);

@@ -47,6 +47,19 @@ class Fits(Folder):
         measured = json.loads(self.good("measure", "-", input=curve).stdout)
         self.assertGreater(measured["report"]["length"], 480)
 
+    def test_parameters_in_a_file_stand_in_one_column(self):
+        self.good("fit", fits("titanium.csv"), "-o", self.path("t.json"))
+        one = self.good("evaluate", self.path("t.json"), "--at",
+                        self.file("one.csv", "t\n595\n900\n")).stdout
+        self.assertEqual(one, self.good("evaluate", self.path("t.json"), "--at", "595,900").stdout)
+        self.refused("option.value", "evaluate", self.path("t.json"), "--at",
+                     self.file("two.csv", "x,y\n600,610\n700,710\n"), says=("2 columns",))
+
+    def test_knots_that_fit_badly_are_told(self):
+        report = self.report("fit", fits("titanium.csv"), "--intervals", "1")["report"]
+        self.assertEqual(report["chi2_p"], 0)
+        self.assertTrue(any("residuals are larger" in note for note in report["notes"]))
+
     def test_a_table_of_residuals_is_written_by_suffix(self):
         self.good("fit", fits("titanium.csv"), "-o", self.path("t.csv"))
         with open(self.path("t.csv"), encoding="utf-8") as stream:
