@@ -21,7 +21,8 @@ namespace {
 /// Samples a piece when a curve is written as rows.
 constexpr int samples_a_piece = 16;
 
-[[noreturn]] void refuse_format(const std::string& format, const std::vector<std::string>& allowed) {
+[[noreturn]] void refuse_format(const std::string& format,
+                                const std::vector<std::string>& allowed) {
     std::string words;
     for (const std::string& form : allowed) words += (words.empty() ? "" : ", ") + form;
     throw Error("output.format", "output", format.empty() ? "no suffix" : format,

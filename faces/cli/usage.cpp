@@ -71,7 +71,8 @@ std::optional<KnownOption> known_option(const CLI::App& verb, const std::string&
     for (const CLI::Option* option : verb.get_options()) {
         for (const std::string& name : option->get_lnames()) {
             if (word.substr(0, mark) != "--" + name) continue;
-            return KnownOption{option, mark == std::string::npos && option->get_items_expected_min() > 0};
+            const bool takes_value = option->get_items_expected_min() > 0;
+            return KnownOption{option, takes_value && mark == std::string::npos};
         }
         for (const std::string& letter : option->get_snames()) {
             if (word != "-" + letter) continue;

@@ -58,7 +58,8 @@ std::vector<CommonFlag> common_flags(const Operation& operation) {
     std::vector<CommonFlag> flags{
         {{"output", 'o', "FILE", "write the result to this file, its form by suffix", {}, true},
          &Command::output},
-        {{"format", 0, "NAME", "the form to write where no suffix says it: " + listed(operation.forms)},
+        {{"format", 0, "NAME",
+          "the form to write where no suffix says it: " + listed(operation.forms)},
          &Command::format},
         {{"report", 0, "FILE", "write the report as JSON, - for standard output", {}, true},
          &Command::report}};

@@ -27,7 +27,8 @@ template <class Options, class Visit>
     requires std::same_as<std::remove_const_t<Options>, ContourOptions>
 void visit_fields(Options& o, Visit&& visit) {
     visit("levels", o.levels, anything, "the heights of the lines");
-    visit("count", o.count, between(1, 1000), "where no levels are given: so many round ones, up to 2.5 times as many to make them round [10]");
+    visit("count", o.count, between(1, 1000),
+          "where no levels are given: so many round ones, or up to 2.5 times as many [10]");
     visit("tolerance", o.tolerance, more_than(0), "how far a line may be from its level");
 }
 

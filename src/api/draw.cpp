@@ -45,7 +45,8 @@ void visit_fields(Options& o, Visit&& visit) {
           "a panel more: the logarithmic curvature graph, its line and slope; in space that of "
           "torsion as well");
     visit("contours", o.contours, between(1, 1000),
-          "of surfaces: lines of equal height at so many round levels, or up to 2.5 times as many [10]");
+          "of surfaces: lines of equal height at so many round levels, or up to 2.5 times as "
+          "many [10]");
     visit("surface", o.surface, anything, "of surfaces: a panel more, the surface in space");
     visit("title", o.title, anything, "a line of text above the picture");
     visit("width", o.width, between(240, 4000), "width of the picture in pixels");
@@ -167,8 +168,9 @@ void require_used(std::span<const Input> inputs, const DrawOptions& o) {
     require(o.samples.has_value(), has_curve, "samples", of_curves);
     require(o.lcg, has_curve, "lcg", of_curves);
     require(o.index, has_a<PointsInput>(inputs), "index", "numbers points, and there are none");
-    require(o.contours.has_value(), has_surface, "contours", "is drawn of surfaces, and there is none");
-    require(o.surface, has_surface, "surface", "is drawn of surfaces, and there is none");
+    const char* const of_surfaces = "is drawn of surfaces, and there is none";
+    require(o.contours.has_value(), has_surface, "contours", of_surfaces);
+    require(o.surface, has_surface, "surface", of_surfaces);
 }
 
 Outcome run(std::span<const Input> inputs, const DrawOptions& options) {

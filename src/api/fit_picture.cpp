@@ -188,7 +188,8 @@ Drawing fit_picture(const FitData& data, const Fit& fit, const FitOptions& optio
     return drawing;
 }
 
-Drawing fit_curve_picture(const CurveFitData& data, const CurveFit& fit, const FitOptions& options) {
+Drawing fit_curve_picture(const CurveFitData& data, const CurveFit& fit,
+                          const FitOptions& options) {
     Drawing drawing;
     drawing.title =
         "Least-squares curve near " + std::to_string(data.points.size()) + " points";
@@ -200,7 +201,8 @@ Drawing fit_curve_picture(const CurveFitData& data, const CurveFit& fit, const F
     plane.y_label = data.names[1];
     if (data.names.size() > 2) plane.z_label = data.names[2];
     const Curve curve(fit.curve);
-    plane.add(PointsLayer{Points(data.points), "data", Marker::open, {}, PointLabels::none, Tone::ink});
+    plane.add(PointsLayer{Points(data.points), "data", Marker::open, {}, PointLabels::none,
+                          Tone::ink});
     plane.add(CurveLayer{curve, "fit", {Tone::accent, Dash::solid, 1.8}});
     std::vector<double> at(curve.breaks().begin(), curve.breaks().end());
     if (at.size() <= most_curve_ticks) {

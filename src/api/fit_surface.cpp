@@ -217,7 +217,8 @@ void require_no_grid(const SurfaceRequest& request) {
     require_only(others, {"scattered", "columns", "sigma"},
                  "goes with grids only, not with scattered rows");
     if (request.fit.knots == SurfaceKnots::curved) {
-        throw Error("fit.options", "knots", "curved", "goes with grids only, not with scattered rows");
+        throw Error("fit.options", "knots", "curved",
+                    "goes with grids only, not with scattered rows");
     }
 }
 

@@ -138,7 +138,8 @@ RegionsLayer band_layer(std::span<const double> x, std::span<const double> lower
     return {{outline(x, lower, upper)}, std::move(name), Tone::accent};
 }
 
-Interval covering_band(Interval covered, std::span<const double> lower, std::span<const double> upper) {
+Interval covering_band(Interval covered, std::span<const double> lower,
+                       std::span<const double> upper) {
     covered = {std::min(covered.lo, median(lower)), std::max(covered.hi, median(upper))};
     return widened(covered, {extent_of(lower).lo, extent_of(upper).hi}, band_room);
 }

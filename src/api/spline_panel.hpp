@@ -24,7 +24,7 @@ std::string name_of_derivative(const AxisNames& names, int order);
 /// An empty chart.
 Panel chart(std::string caption, std::string x_label, std::string y_label);
 
-/// The spline y(x) whose graph a curve is, jumps and all; nothing where it is a figure in the plane.
+/// The spline y(x) whose graph a curve is, jumps and all; nothing where it is a plane figure.
 std::optional<SplineFunction> function_of(const Curve& curve);
 
 /// The spline or a derivative of it as runs, one for each stretch without a jump.
@@ -39,7 +39,8 @@ RegionsLayer band_layer(std::span<const double> x, std::span<const double> lower
 
 /// What is shown of a band: as wide as it is in the middle of its widths, and little of where it is
 /// wider; between knots that are barely determined it may be a hundred times so.
-Interval covering_band(Interval covered, std::span<const double> lower, std::span<const double> upper);
+Interval covering_band(Interval covered, std::span<const double> lower,
+                       std::span<const double> upper);
 
 /// A band that is asked for, and what it is called.
 struct NamedBand {

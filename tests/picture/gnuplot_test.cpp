@@ -100,7 +100,8 @@ TEST(Gnuplot, DrawsALongCubicWithoutAKink) {
     for (std::size_t i = 1; i + 1 < rows.size(); ++i) {
         const double before = std::atan2(rows[i][1] - rows[i - 1][1], rows[i][0] - rows[i - 1][0]);
         const double after = std::atan2(rows[i + 1][1] - rows[i][1], rows[i + 1][0] - rows[i][0]);
-        sharpest = std::max(sharpest, std::fabs(std::remainder(after - before, 2 * std::numbers::pi)));
+        const double turn = std::remainder(after - before, 2 * std::numbers::pi);
+        sharpest = std::max(sharpest, std::fabs(turn));
     }
     EXPECT_LT(sharpest, 0.12);
 }
