@@ -59,7 +59,7 @@ TEST(BadGrid, PicturesThatAreNoneAreRefused) {
 
 TEST(BadGrid, ScatteredRowsThatAreNoneAreRefused) {
     const std::vector<Setting> scattered{{"scattered", "true"}};
-    EXPECT_EQ(refused("g.csv", "x,y\n0,1\n1,1\n", scattered), "table.unknown-column");
+    EXPECT_EQ(refused("g.csv", "x,y\n0,1\n1,1\n", scattered), "table.columns");
     EXPECT_EQ(refused("g.csv", "x,y,z\n0,1,2\n1,1,nan\n", scattered), "points.not-finite");
     EXPECT_EQ(refused("g.csv", "x,y,z\n0,1,2\n1,1,3\n", scattered), "fit.x-equal");
 }
