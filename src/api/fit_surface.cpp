@@ -187,11 +187,12 @@ Outcome run_lines(const GridFile& grid, const SurfaceRequest& request) {
                           request.fit.sigma);
 }
 
-Outcome tensor_outcome(SurfaceFit made, const GridFile& grid) {
+Outcome tensor_outcome(SurfaceFit made, GridFile grid) {
     made.report.notes.insert(made.report.notes.begin(), grid.notes.begin(), grid.notes.end());
+    std::vector<OutputForm> forms = surface_forms(Surface(made.surface), grid.x, grid.y);
     return {Surface(made.surface), made.report.status, {}, report_value(made.report),
-            [made, grid] { return surface_fit_picture(made, grid); },
-            surface_forms(Surface(made.surface), grid.x, grid.y)};
+            [made, grid = std::move(grid)] { return surface_fit_picture(made, grid); },
+            std::move(forms)};
 }
 
 Outcome run_curved(const GridFile& grid, const SurfaceRequest& request) {
@@ -357,8 +358,8 @@ Outcome run(std::span<const Input> inputs, const SurfaceRequest& asked) {
     take_errors(grid, request);
     if (!request.lines.empty()) return run_lines(grid, request);
     if (request.fit.knots == SurfaceKnots::curved) return run_curved(grid, request);
-    return tensor_outcome(fit_surface(samples_of(grid, request), request.fit),
-                          with_products(grid, request));
+    SurfaceFit made = fit_surface(samples_of(grid, request), request.fit);
+    return tensor_outcome(std::move(made), with_products(std::move(grid), request));
 }
 
 }  // namespace

@@ -14,8 +14,11 @@ namespace {
 /// coefficients that the samples determine is taken out afterwards.
 constexpr double faint_weight = 0x1p-36;
 constexpr int most_corrections = 100;
-/// Of delta2: what the coefficients may still take from it.
-constexpr double small_energy = 1e-14;
+/// Of delta2: what the coefficients may still take from it, where steps end and at most.
+constexpr double small_energy = 1e-22;
+constexpr double fair_energy = 1e-10;
+/// Steps without a gain: rounding is all that is left.
+constexpr int patience = 5;
 constexpr int parts_of_strip = 4;
 constexpr double nothing = 1e-20;      // of the largest diagonal
 constexpr double small_pivot = 1e-9;   // the same, after elimination
@@ -52,38 +55,31 @@ CloudSystem::CloudSystem(const Cloud& cloud, const BSplineBasis& x, const BSplin
 CloudFit CloudSystem::solved() {
     CloudFit fit;
     factor_ = std::make_unique<Factor>(matrix());
-    std::vector<double>& c = fit.solution.coefficients;
-    c.assign(p_ * q_, 0.0);
-    Eigen::VectorXd step = factor_->solve(gradient(weighted_residuals(c)));
-    add(1, step, c);
+    std::vector<double> c(p_ * q_, 0.0);
+    add(1, factor_->solve(gradient(weighted_residuals(c))), c);
     std::vector<double> e = weighted_residuals(c);
     Eigen::VectorXd rest = gradient(e), direction = factor_->solve(rest);
-    double energy = rest.dot(direction);
-    fit.solution.is_converged = false;
-    for (int round = 1; round <= most_corrections; ++round) {
-        const double delta2 = num::sum_of_squares(e);
-        if (!(energy > small_energy * delta2)) {
-            fit.solution.is_converged = true;
-            break;
-        }
+    double energy = rest.dot(direction), least = energy;
+    fit.solution.coefficients = c;
+    int since_best = 0;
+    for (int round = 1; round <= most_corrections && since_best < patience; ++round) {
         const double curvature = num::sum_of_squares(weighted_values(direction));
-        if (!(curvature > 0)) break;
-        std::vector<double> next = c;
-        add(energy / curvature, direction, next);
-        std::vector<double> next_e = weighted_residuals(next);
-        if (!(num::sum_of_squares(next_e) < delta2)) {
-            fit.solution.is_converged = true;  // rounding is all that is left
-            break;
-        }
-        c = std::move(next);
-        e = std::move(next_e);
-        fit.solution.iterations = round;
+        if (!(energy > small_energy * num::sum_of_squares(e)) || !(curvature > 0)) break;
+        add(energy / curvature, direction, c);
+        e = weighted_residuals(c);
         rest = gradient(e);
-        step = factor_->solve(rest);
+        const Eigen::VectorXd step = factor_->solve(rest);
         const double fresh = rest.dot(step);
         direction = step + fresh / energy * direction;
         energy = fresh;
+        ++since_best;
+        if (!(energy < least)) continue;
+        since_best = 0;
+        least = energy;
+        fit.solution.coefficients = c;
+        fit.solution.iterations = round;
     }
+    fit.solution.is_converged = !(least > fair_energy * num::sum_of_squares(e));
     find_open(fit, factor_->vectorD());
     return fit;
 }
