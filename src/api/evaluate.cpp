@@ -240,6 +240,13 @@ EvaluateReport answers(const Curve& curve, const EvaluateOptions& options, const
     return report;
 }
 
+void add_values(Panel& panel, const SplineFunction& spline, const std::vector<double>& at) {
+    if (at.empty()) return;
+    Points points(0, 2);
+    for (const double t : at) points.push_back(std::array{t, spline(t)});
+    panel.add(PointsLayer{std::move(points), "values"});
+}
+
 /// Roots and extrema as dots.
 void add_places(Panel& panel, const EvaluateReport& report) {
     Points roots(0, 2), extrema(0, 2);
@@ -274,7 +281,7 @@ Drawing function_picture(const Curve& curve, const SplineFunction& spline,
     }
     Panel& values = drawing.panels.front() = value_panel(spline, names, band, name);
     if (panels == 0) values.caption.clear();
-    if (!t.empty()) values.add(TicksLayer{curve, t, {}});
+    add_values(values, spline, t);
     add_places(values, report);
     for (int order = 1; order <= panels; ++order) {
         drawing.panels.push_back(derivative_panel(spline, order, names, band, name));

@@ -1,18 +1,11 @@
-#include "batten/make/fit_surface_chunks.hpp"
 #include "errors.hpp"
-#include "surface_samples.hpp"
+#include "surface_streams.hpp"
 
 /// Large grids of which nodes are missing, in memory and in blocks of rows.
 namespace batten {
 namespace fit_surface_masked_test {
 
 using namespace testing;
-
-/// Waves and a hill about as wide as a tenth.
-double land(double x, double y) {
-    const double dx = x - 0.3, dy = y - 0.6;
-    return std::sin(5 * x) * std::cos(4 * y) + std::exp(-(dx * dx + dy * dy) / 0.005);
-}
 
 /// A fifth of the nodes is missing here and there, and all of a rectangle.
 SurfaceTable holed(std::size_t m, std::size_t n, double sigma) {
@@ -25,20 +18,6 @@ SurfaceTable holed(std::size_t m, std::size_t n, double sigma) {
         }
     }
     return table;
-}
-
-SurfaceStream stream_of(const SurfaceTable& table, std::size_t rows_at_once = 0) {
-    SurfaceStream stream{table.x, table.y, [&](std::size_t first, std::span<double> z) {
-                             const std::size_t n = table.y.size();
-                             for (std::size_t k = 0; k < z.size(); ++k) {
-                                 const std::size_t r = first + k / n, s = k % n;
-                                 z[k] = table.z.view().has(r, s)
-                                            ? table.z(r, s)
-                                            : std::numeric_limits<double>::quiet_NaN();
-                             }
-                         }};
-    stream.rows_at_once = rows_at_once;
-    return stream;
 }
 
 void expect_same_path(const FitSurfaceReport& made, const FitSurfaceReport& want,
@@ -165,14 +144,9 @@ TEST(MaskedStream, TellsWhatAHoleLeavesOpen) {
 
 TEST(MaskedStream, WeighsRowsAndColumns) {
     const SurfaceTable table = holed(300, 240, 0.02);
-    std::vector<double> x_sigma, y_sigma;
-    for (int i = 0; i < 300; ++i) x_sigma.push_back(0.02 * (1.5 + std::sin(0.1 * i)));
-    for (int j = 0; j < 240; ++j) y_sigma.push_back(1.5 + std::cos(0.2 * j));
-    SurfaceStream stream = stream_of(table, 50);
-    stream.x_sigma = x_sigma;
-    stream.y_sigma = y_sigma;
-    expect_same(fit_surface(stream, {}),
-                fit_surface({table.x, table.y, table.z, x_sigma, y_sigma}, {}));
+    const UnevenErrors errors(table);
+    expect_same(fit_surface(errors.of(stream_of(table, 50)), {}),
+                fit_surface(errors.of(table.view()), {}));
 }
 
 TEST(MaskedStream, NeedsAHeight) {

@@ -1,28 +1,11 @@
-#include "batten/make/fit_surface_chunks.hpp"
 #include "errors.hpp"
-#include "surface_samples.hpp"
+#include "surface_streams.hpp"
 
 /// Knot lines searched on grids that come in blocks of rows are those of the grid in memory.
 namespace batten {
 namespace fit_surface_streamed_test {
 
 using namespace testing;
-
-/// Waves and a hill about as wide as a tenth.
-double land(double x, double y) {
-    const double dx = x - 0.3, dy = y - 0.6;
-    return std::sin(5 * x) * std::cos(4 * y) + std::exp(-(dx * dx + dy * dy) / 0.005);
-}
-
-SurfaceStream stream_of(const SurfaceTable& table, std::size_t rows_at_once = 0) {
-    SurfaceStream stream{table.x, table.y, [&](std::size_t first, std::span<double> z) {
-                             const auto all = table.z.view().values();
-                             const auto rows = all.subspan(first * table.y.size(), z.size());
-                             std::copy(rows.begin(), rows.end(), z.begin());
-                         }};
-    stream.rows_at_once = rows_at_once;
-    return stream;
-}
 
 void expect_same(const SurfaceFit& made, const SurfaceFit& want) {
     EXPECT_EQ(made.report.knots_x, want.report.knots_x);
@@ -89,14 +72,9 @@ TEST(StreamedSearch, StopsByTheRulesOfTheGridInMemory) {
 
 TEST(StreamedSearch, WeighsRowsAndColumns) {
     const SurfaceTable table = surface_of(land, 400, 300, 0.02);
-    std::vector<double> x_sigma, y_sigma;
-    for (int i = 0; i < 400; ++i) x_sigma.push_back(0.02 * (1.5 + std::sin(0.1 * i)));
-    for (int j = 0; j < 300; ++j) y_sigma.push_back(1.5 + std::cos(0.2 * j));
-    SurfaceStream stream = stream_of(table, 50);
-    stream.x_sigma = x_sigma;
-    stream.y_sigma = y_sigma;
-    expect_same(fit_surface(stream, {}),
-                fit_surface({table.x, table.y, table.z, x_sigma, y_sigma}, {}));
+    const UnevenErrors errors(table);
+    expect_same(fit_surface(errors.of(stream_of(table, 50)), {}),
+                fit_surface(errors.of(table.view()), {}));
 }
 
 /// Errors a ten-millionth of the heights: square sums alone would tell nothing of delta2.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "make/fit_surface/inclusion.hpp"
 #include "make/fit_surface/row_fits.hpp"
 #include "num/clones.hpp"
 #include "num/lanes.hpp"
@@ -38,16 +39,6 @@ void add_row_products(const num::TensorSide& side, std::size_t r, std::span<cons
     }
 }
 
-/// The columns of `count` rows, one behind the other.
-std::vector<double> columns_of(std::span<const double> rows, std::size_t count) {
-    const std::size_t width = rows.size() / count;
-    std::vector<double> columns(rows.size());
-    for (std::size_t r = 0; r < count; ++r) {
-        for (std::size_t j = 0; j < width; ++j) columns[j * count + r] = rows[r * width + j];
-    }
-    return columns;
-}
-
 }  // namespace
 
 HeightProducts::HeightProducts(const Nodes& nodes, const Axis& x, const Axis& y)
@@ -77,7 +68,7 @@ void HeightProducts::add_few(num::PlaceRange rows, std::span<const double> z) {
         for (double& value : row) value *= weight;
         add_row_products(x_.weighted(), r, row, both);
     }
-    std::vector<double> turned = columns_of(part_, rows.count());
+    std::vector<double> turned = transposed(part_, rows.count());
     y_.forward_rows(turned, rows.count());
     for (std::size_t j = 0; j < q; ++j) {
         std::copy_n(turned.data() + j * rows.count(), rows.count(),
@@ -89,10 +80,10 @@ void HeightProducts::add_few(num::PlaceRange rows, std::span<const double> z) {
 
 double HeightProducts::residual_sq(num::PlaceRange rows, std::span<const double> z) const {
     const std::size_t n = nodes_.y.size(), q = y_.functions(), count = rows.count();
-    std::vector<double> turned = columns_of(part_, count);
+    std::vector<double> turned = transposed(part_, count);
     y_.invert_rows(turned, count);
     std::vector<double> fitted(count * n);
-    rows_.expand(columns_of(turned, q), {0, count}, fitted);
+    rows_.expand(transposed(turned, q), {0, count}, fitted);
     double sum = 0;
     for (std::size_t r = 0; r < count; ++r) {
         const double weight = nodes_.x_weight[rows.first + r];
