@@ -112,7 +112,7 @@ Outcome run(std::span<const Input> inputs, const ArcsRequest& request) {
 
 Operation arcs_row() {
     return row<ArcsRequest>({"arcs", "circular arcs and lines through points or along a curve",
-                         InputKind::points_or_curve, OutputKind::curve, false, false, {"gcode"}},
+                         InputKind::points_or_curve, OutputKind::curve, {"gcode"}},
                         run);
 }
 

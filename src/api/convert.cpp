@@ -96,10 +96,7 @@ Operation convert_row() {
     return row<ConvertRequest>(
         {"convert", "other forms, knots and degrees of a curve or surface, trimmed, reversed or scaled",
          InputKind::curve_or_surface,
-         OutputKind::curve,
-         false,
-         false,
-         {"gcode", "npy", "obj", "patches", "ply", "stl"}},
+         OutputKind::curve, {"gcode", "npy", "obj", "patches", "ply", "stl"}},
         run);
 }
 

@@ -254,8 +254,7 @@ Outcome run(std::span<const Input> inputs, const CoonsOptions& options) {
 
 Operation coons_row() {
     return row<CoonsOptions>({"coons", "the bilinear Coons patch of four curves, and its curvature",
-                              InputKind::curve, OutputKind::rows, true, false,
-                              {"obj", "ply", "stl"}},
+                              InputKind::curve, OutputKind::rows, {"obj", "ply", "stl"}, true},
                              run);
 }
 

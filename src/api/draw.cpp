@@ -221,7 +221,7 @@ Outcome run(std::span<const Input> inputs, const DrawOptions& options) {
 
 Operation draw_row() {
     return row<DrawOptions>({"draw", "a picture of points, curves and surfaces", InputKind::any,
-                             OutputKind::drawing, true, true},
+                             OutputKind::drawing, {}, true, true},
                             run);
 }
 

@@ -353,7 +353,7 @@ Outcome run(std::span<const Input> inputs, const EvaluateOptions& options) {
 Operation evaluate_row() {
     Operation evaluate =
         row<EvaluateOptions>({"evaluate", "points, derivatives, integrals, roots and extrema",
-                              InputKind::curve_or_surface, OutputKind::rows, false, true},
+                              InputKind::curve_or_surface, OutputKind::rows, {}, false, true},
                              run);
     for (Field& field : evaluate.fields) {
         if (field.name == "band") field.bare = "95";

@@ -180,8 +180,7 @@ Outcome run(std::span<const Input> inputs, const FairSurfaceOptions& options) {
 Operation fair_surface_row() {
     return row<FairSurfaceOptions>({"fair-surface",
                                     "a noisy grid of points made fair, its curvature even",
-                                    InputKind::grid, OutputKind::rows, false, false,
-                                    {"obj", "ply", "stl"}},
+                                    InputKind::grid, OutputKind::rows, {"obj", "ply", "stl"}},
                                    run);
 }
 

@@ -194,7 +194,7 @@ Outcome run(std::span<const Input> inputs, const FitTableOptions& asked) {
 Operation fit_row() {
     return row<FitTableOptions>(
         {"fit", "the least-squares spline y(x) of data with known errors", InputKind::table,
-         OutputKind::curve, false, false, {"npy"}},
+         OutputKind::curve, {"npy"}},
         run);
 }
 

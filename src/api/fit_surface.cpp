@@ -366,7 +366,7 @@ Outcome run(std::span<const Input> inputs, const SurfaceRequest& asked) {
 
 Operation fit_surface_row() {
     return row<SurfaceRequest>({"fit-surface", "a least-squares spline surface on a grid of heights",
-                                InputKind::grid, OutputKind::surface, false, false,
+                                InputKind::grid, OutputKind::surface,
                                 {"csv", "npy", "obj", "patches", "ply", "stl"}},
                                run);
 }

@@ -20,9 +20,9 @@ struct Head {
     std::string_view help;
     InputKind input;
     OutputKind output;
+    std::vector<std::string_view> more_forms = {};  ///< beside those of every output of its kind
     bool many_inputs = false;
     bool takes_jumps = false;  ///< curves with jumps too
-    std::vector<std::string_view> more_forms = {};  ///< beside those of every output of its kind
 };
 
 /// The forms in which outputs of a kind are written, and `more`.

@@ -102,7 +102,7 @@ Outcome run(std::span<const Input> inputs, const SectionOptions& options) {
 
 Operation section_row() {
     return row<SectionOptions>({"section", "a surface cut along a line of constant x or y",
-                                InputKind::surface, OutputKind::curve, false, false, {"npy"}},
+                                InputKind::surface, OutputKind::curve, {"npy"}},
                                run);
 }
 
