@@ -46,4 +46,13 @@ struct UnevenErrors {
     std::vector<double> x, y;
 };
 
+/// Of the strips in x.
+inline double narrowest_strip(const FitSurfaceReport& report) {
+    double narrowest = report.breaks_x[1] - report.breaks_x[0];
+    for (std::size_t i = 2; i < report.breaks_x.size(); ++i) {
+        narrowest = std::min(narrowest, report.breaks_x[i] - report.breaks_x[i - 1]);
+    }
+    return narrowest;
+}
+
 }  // namespace batten::testing

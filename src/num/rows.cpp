@@ -64,4 +64,13 @@ BATTEN_CLONES void add_dots(std::span<const double> rows, std::span<const double
     }
 }
 
+std::vector<double> transposed(std::span<const double> matrix, std::size_t rows) {
+    const std::size_t columns = matrix.size() / rows;
+    std::vector<double> result(matrix.size());
+    for (std::size_t i = 0; i < rows; ++i) {
+        for (std::size_t j = 0; j < columns; ++j) result[j * rows + i] = matrix[i * columns + j];
+    }
+    return result;
+}
+
 }  // namespace batten::num

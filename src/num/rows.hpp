@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <vector>
 
 /// Rows of numbers at the speed of the processor's vectors, summed in a fixed order: the same bits
 /// whatever vectors there are.
@@ -15,5 +17,8 @@ void add_combination(std::span<const double> factors, std::span<const double> ro
                      std::span<double> to);
 /// to[i] += dot of row i and `with`.
 void add_dots(std::span<const double> rows, std::span<const double> with, std::span<double> to);
+
+/// A matrix of so many rows turned into columns.
+std::vector<double> transposed(std::span<const double> matrix, std::size_t rows);
 
 }  // namespace batten::num

@@ -136,10 +136,7 @@ std::vector<int> SurfaceChunk::open_x() const {
 SurfaceFit SurfaceChunk::solve() const {
     const Axis& y = frame_->fits.axis();
     const std::size_t p = frame_->x.size(), q = y.functions();
-    if (samples_ < p * q) {
-        throw Error("fit.too-few", "grid", std::to_string(samples_) + " nodes",
-                    std::to_string(p * q) + " coefficients need at least as many");
-    }
+    require_enough_nodes(samples_, p * q);
     const std::vector<int> open = open_x();
     StripTriangles all(frame_->x, frame_->fits, open.empty() ? 0 : faint_tie * largest());
     for (const Strip& strip : strips_) all.take(strip.triangle);

@@ -132,6 +132,12 @@ void fill_front(FrontReport& report, const Nodes& nodes, const CurvedKnotSurface
     note_large_residuals(report);
 }
 
+void require_enough_nodes(std::size_t nodes, std::size_t coefficients) {
+    if (nodes >= coefficients) return;
+    throw Error("fit.too-few", "grid", std::to_string(nodes) + " nodes",
+                std::to_string(coefficients) + " coefficients need at least as many");
+}
+
 void require_finite_solution(const std::vector<double>& coefficients, double delta2) {
     const bool is_finite = std::isfinite(delta2) &&
                            std::all_of(coefficients.begin(), coefficients.end(),

@@ -42,6 +42,9 @@ void note_what_is_badly_fitted(FitSurfaceReport& report);
 /// What a front's report says of its nodes: after delta2, parameters and bic.
 void fill_front(FrontReport& report, const Nodes& nodes, const CurvedKnotSurface& surface);
 
+/// Throws `fit.too-few` for fewer nodes than coefficients.
+void require_enough_nodes(std::size_t nodes, std::size_t coefficients);
+
 /// Throws `number.overflow` unless all is finite.
 void require_finite_solution(const std::vector<double>& coefficients, double delta2);
 

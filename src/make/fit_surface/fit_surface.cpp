@@ -31,11 +31,7 @@ SurfaceFit fit_surface(const SurfaceSamples& samples, const FitSurfaceOptions& o
     const Axis y = choice.y ? std::move(*choice.y)
                             : Axis(BSplineBasis(choice.y_knots, options.degree), nodes.y,
                                    nodes.y_weight, nodes.used_y());
-    const std::size_t parameters = x.functions() * y.functions();
-    if (nodes.count < parameters) {
-        throw Error("fit.too-few", "grid", std::to_string(nodes.count) + " nodes",
-                    std::to_string(parameters) + " coefficients need at least as many");
-    }
+    require_enough_nodes(nodes.count, x.functions() * y.functions());
     const bool is_known = choice.solution.has_value();
     Solution solution =
         is_known ? std::move(*choice.solution) : solve(nodes, x, y, Corrected::where_needed);

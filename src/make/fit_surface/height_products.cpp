@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "make/fit_surface/inclusion.hpp"
 #include "make/fit_surface/row_fits.hpp"
 #include "num/clones.hpp"
 #include "num/lanes.hpp"
@@ -68,7 +67,7 @@ void HeightProducts::add_few(num::PlaceRange rows, std::span<const double> z) {
         for (double& value : row) value *= weight;
         add_row_products(x_.weighted(), r, row, both);
     }
-    std::vector<double> turned = transposed(part_, rows.count());
+    std::vector<double> turned = num::transposed(part_, rows.count());
     y_.forward_rows(turned, rows.count());
     for (std::size_t j = 0; j < q; ++j) {
         std::copy_n(turned.data() + j * rows.count(), rows.count(),
@@ -80,10 +79,10 @@ void HeightProducts::add_few(num::PlaceRange rows, std::span<const double> z) {
 
 double HeightProducts::residual_sq(num::PlaceRange rows, std::span<const double> z) const {
     const std::size_t n = nodes_.y.size(), q = y_.functions(), count = rows.count();
-    std::vector<double> turned = transposed(part_, count);
+    std::vector<double> turned = num::transposed(part_, count);
     y_.invert_rows(turned, count);
     std::vector<double> fitted(count * n);
-    rows_.expand(transposed(turned, q), {0, count}, fitted);
+    rows_.expand(num::transposed(turned, q), {0, count}, fitted);
     double sum = 0;
     for (std::size_t r = 0; r < count; ++r) {
         const double weight = nodes_.x_weight[rows.first + r];

@@ -65,21 +65,12 @@ std::vector<double> Inclusion::refined(const std::vector<double>& coefficients,
 
 std::vector<double> InclusionPair::reduced(const std::vector<double>& products) const {
     const std::vector<double> half = x.reduced(products, y.fine());
-    return transposed(y.reduced(transposed(half, x.coarse()), x.coarse()), y.coarse());
+    return num::transposed(y.reduced(num::transposed(half, x.coarse()), x.coarse()), y.coarse());
 }
 
 std::vector<double> InclusionPair::refined(const std::vector<double>& coefficients) const {
     const std::vector<double> half = x.refined(coefficients, y.coarse());
-    return transposed(y.refined(transposed(half, x.fine()), x.fine()), y.fine());
-}
-
-std::vector<double> transposed(std::span<const double> matrix, std::size_t rows) {
-    const std::size_t columns = matrix.size() / rows;
-    std::vector<double> result(matrix.size());
-    for (std::size_t i = 0; i < rows; ++i) {
-        for (std::size_t j = 0; j < columns; ++j) result[j * rows + i] = matrix[i * columns + j];
-    }
-    return result;
+    return num::transposed(y.refined(num::transposed(half, x.fine()), x.fine()), y.fine());
 }
 
 }  // namespace batten::surface_fitting

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "batten/shape/basis.hpp"
@@ -40,8 +39,5 @@ struct InclusionPair {
     std::vector<double> reduced(const std::vector<double>& products) const;
     std::vector<double> refined(const std::vector<double>& coefficients) const;
 };
-
-/// A matrix of so many rows turned into columns.
-std::vector<double> transposed(std::span<const double> matrix, std::size_t rows);
 
 }  // namespace batten::surface_fitting

@@ -115,8 +115,7 @@ void Lattice::expect_splits(Residuals residuals) {
         while (!(space_ = compressed(halvings_)) && halvings_ > least_halvings) --halvings_;
         if (!space_) space_ = finer_space();
     }
-    // Weights have the unit already where it was known before.
-    if (nodes_->stored && !nodes_->sigma_known) unit_ = nodes_->stored->unit();
+    take_unit();
     if (space_) nested_ = Nested::over(*space_, degree_, rule_);
 }
 
@@ -126,6 +125,11 @@ void Lattice::expect_masked_splits() {
     if (!has_space) return;
     halvings_ = usual_halvings;
     while (!(masked_ = masked(halvings_)) && halvings_ > least_halvings) --halvings_;
+    take_unit();
+}
+
+/// Weights have the unit already where it was known before the heights were read.
+void Lattice::take_unit() {
     if (nodes_->stored && !nodes_->sigma_known) unit_ = nodes_->stored->unit();
 }
 

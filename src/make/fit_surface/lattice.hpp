@@ -71,6 +71,7 @@ private:
     bool fits(const std::vector<double>& x_breaks, const std::vector<double>& y_breaks) const;
     bool go_to_finer_strips();
     void expect_masked_splits();
+    void take_unit();
     std::unique_ptr<MaskedSpace> masked(int halvings) const;
     bool go_to_masked();
     void set_axes();

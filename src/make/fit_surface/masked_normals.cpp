@@ -110,6 +110,11 @@ std::vector<double> MaskedNormals::times(std::span<const double> c) const {
     return result;
 }
 
+Solution MaskedNormals::solution(int steps) const {
+    return conjugate_gradients(
+        products_, [this](const std::vector<double>& c) { return times(c); }, x_, y_, steps);
+}
+
 std::vector<double> MaskedNormals::diagonal() const {
     std::vector<double> result;
     const std::size_t width = y_.functions();

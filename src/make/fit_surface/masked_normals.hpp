@@ -6,6 +6,7 @@
 
 #include "make/fit_surface/axis.hpp"
 #include "make/fit_surface/nodes.hpp"
+#include "make/fit_surface/solve.hpp"
 
 namespace batten::surface_fitting {
 
@@ -56,6 +57,8 @@ public:
     const std::vector<double>& products() const { return products_; }
     /// A^T W A c.
     std::vector<double> times(std::span<const double> c) const;
+    /// By conjugate gradients; `steps` at most (0: as many as it takes).
+    Solution solution(int steps = 0) const;
     /// The square sums of the columns of A.
     std::vector<double> diagonal() const;
 

@@ -86,9 +86,7 @@ void MaskedSpace::read() {
         normals_.add(rows, [&](std::size_t r, const MaskedRow& row) { add_row(r, row); });
         add_columns(rows);
     });
-    const NormalMatrix matrix = [&](const std::vector<double>& c) { return normals_.times(c); };
-    good_ = conjugate_gradients(normals_.products(), matrix, x_, y_, steps_to_a_good_fit)
-                .coefficients;
+    good_ = normals_.solution(steps_to_a_good_fit).coefficients;
     good_delta2_ = delta2_of(nodes_, x_, y_, good_);
     unused_ = normals_.products();
     num::add_times(-1, normals_.times(good_), unused_);
@@ -160,7 +158,7 @@ Misfit MaskedSpace::misfit(const Axis& x, const Axis& y, const std::vector<doubl
     std::vector<double> refined = coarse.refined(c);
     Misfit result;
     result.psi_is_missing = true;
-    result.x_strips = strips(Way::x, x, y, transposed(refined, x_.functions()));
+    result.x_strips = strips(Way::x, x, y, num::transposed(refined, x_.functions()));
     result.y_strips = strips(Way::y, y, x, refined);
     num::add_times(-1, good_, refined);
     result.delta2 = good_delta2_ - 2 * num::dot(refined, unused_) +

@@ -30,7 +30,7 @@ public:
     virtual double unit() const = 0;
     /// The least and the largest height, where nodes are missing.
     virtual Interval heights() const = 0;
-    /// Whether any node of row r (column s) is there, where nodes are missing.
+    /// The lines with any height, where nodes are missing.
     virtual std::vector<double> used_x() const = 0;
     virtual std::vector<double> used_y() const = 0;
 };
@@ -58,7 +58,7 @@ struct Nodes {
     void for_rows(const TakeRows& take) const { stored ? stored->read(take) : take(0, z); }
     /// Of nodes that are not full.
     void for_masked_rows(const TakeMaskedRows& take) const;
-    /// Whether any node of row r (column s) counts.
+    /// The lines with any node that counts.
     std::vector<double> used_x() const;
     std::vector<double> used_y() const;
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "make/fit_surface/inclusion.hpp"
+#include "num/rows.hpp"
 
 namespace batten::surface_fitting {
 namespace {
@@ -59,11 +59,9 @@ RowFits::RowFits(BSplineBasis basis, std::span<const double> places,
 
 void RowFits::solve(std::span<const double> z, std::size_t rows, std::vector<double>& c) const {
     const std::size_t q = axis_.functions();
-    std::vector<double> products(rows * q, 0.0), turned(rows * q);
+    std::vector<double> products(rows * q, 0.0);
     normal_.contract(z, {0, rows}, products);
-    for (std::size_t r = 0; r < rows; ++r) {
-        for (std::size_t j = 0; j < q; ++j) turned[j * rows + r] = products[r * q + j];
-    }
+    std::vector<double> turned = num::transposed(products, rows);
     axis_.invert_rows(turned, rows);
     for (std::size_t r = 0; r < rows; ++r) {
         for (std::size_t j = 0; j < q; ++j) c[r * q + j] += turned[j * rows + r];
@@ -76,7 +74,7 @@ RowFits::Fitted RowFits::fit(std::span<const double> z) const {
     const bool is_delicate = axis_.is_delicate();
     if (is_delicate) {
         fitted.coefficients =
-            transposed(axis_.fitted(transposed(z, rows), rows), axis_.functions());
+            num::transposed(axis_.fitted(num::transposed(z, rows), rows), axis_.functions());
     } else {
         solve(z, rows, fitted.coefficients);
     }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "make/fit_surface/inclusion.hpp"
 #include "make/fit_surface/masked_normals.hpp"
 #include "make/fit_surface/mixed_noise.hpp"
+#include "num/rows.hpp"
 #include "num/tensor.hpp"
 
 namespace batten::surface_fitting {
@@ -71,31 +71,22 @@ private:
     num::Tensor plain_, normal_;
 };
 
-double dot_of(const std::vector<double>& a, const std::vector<double>& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-    return sum;
-}
-
-void add_times(std::vector<double>& to, double factor, const std::vector<double>& what) {
-    for (std::size_t i = 0; i < to.size(); ++i) to[i] += factor * what[i];
-}
-
 /// What makes the preconditioner regular is part of the matrix, lest steps drift where lines see
 /// nothing: faint differences in either direction, times a usual square sum of the other.
 void add_faint_part(const Axis& x, const Axis& y, const std::vector<double>& c,
                     std::vector<double>& image) {
     const std::size_t p = x.functions(), q = y.functions();
-    if (!x.is_regular()) add_times(image, y.mean_sq(), x.faint_part(c, q));
+    if (!x.is_regular()) num::add_times(y.mean_sq(), x.faint_part(c, q), image);
     if (!y.is_regular()) {
-        add_times(image, x.mean_sq(), transposed(y.faint_part(transposed(c, p), p), q));
+        const std::vector<double> turned = y.faint_part(num::transposed(c, p), p);
+        num::add_times(x.mean_sq(), num::transposed(turned, q), image);
     }
 }
 
 Solution orthogonal_solution(const Nodes& nodes, const Axis& x, const Axis& y) {
     const std::vector<double> in_x = x.fitted(nodes.z, nodes.y.size());
-    const std::vector<double> both = y.fitted(transposed(in_x, x.functions()), x.functions());
-    return {transposed(both, y.functions())};
+    const std::vector<double> both = y.fitted(num::transposed(in_x, x.functions()), x.functions());
+    return {num::transposed(both, y.functions())};
 }
 
 /// Where the matrix is smaller than the grid, steps need not see the nodes.
@@ -108,9 +99,7 @@ Solution solve_masked(const Nodes& nodes, const Axis& x, const Axis& y) {
     if (is_worth_a_matrix(nodes, x, y)) {
         MaskedNormals normals(x, y);
         normals.add({0, nodes.z, nodes.cell_factor_sq});
-        return conjugate_gradients(
-            normals.products(), [&](const std::vector<double>& c) { return normals.times(c); }, x,
-            y);
+        return normals.solution();
     }
     const Passes passes(nodes, x, y);
     return conjugate_gradients(
@@ -132,21 +121,21 @@ Solution conjugate_gradients(std::vector<double> rest, const NormalMatrix& matri
     std::vector<double>& c = result.coefficients;
     std::vector<double> direction = inverted(rest, x, y);
     c.assign(rest.size(), 0.0);
-    double energy = dot_of(rest, direction);
+    double energy = num::dot(rest, direction);
     const double target = small_enough * small_enough * energy;
     const int most = steps > 0 ? steps : 100 + 10 * static_cast<int>(c.size());
     while (energy > target && result.iterations < most) {
         std::vector<double> image = matrix(direction);
         add_faint_part(x, y, direction, image);
-        const double curvature = dot_of(direction, image);
+        const double curvature = num::dot(direction, image);
         if (!(curvature > 0)) break;
         const double step = energy / curvature;
-        add_times(c, step, direction);
-        add_times(rest, -step, image);
+        num::add_times(step, direction, c);
+        num::add_times(-step, image, rest);
         ++result.iterations;
         std::vector<double> fresh = inverted(rest, x, y);
-        const double next = dot_of(rest, fresh);
-        add_times(fresh, next / energy, direction);
+        const double next = num::dot(rest, fresh);
+        num::add_times(next / energy, direction, fresh);
         direction = std::move(fresh);
         energy = next;
     }
@@ -166,8 +155,8 @@ Solution solve(const Nodes& nodes, const Axis& x, const Axis& y, Corrected corre
         .contract(nodes.z, {0, nodes.x.size()}, products);
     Solution result{inverted(std::move(products), x, y)};
     if (corrected == Corrected::where_needed && !is_harmless(x, y)) {
-        add_times(result.coefficients, 1,
-                  inverted(Passes(nodes, x, y).gradient(&result.coefficients), x, y));
+        num::add_times(1, inverted(Passes(nodes, x, y).gradient(&result.coefficients), x, y),
+                       result.coefficients);
     }
     return result;
 }

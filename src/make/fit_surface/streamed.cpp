@@ -92,15 +92,10 @@ SurfaceFit masked_fit(const SurfaceChoice& choice, const Nodes& nodes,
                  nodes.used_x());
     const Axis y(BSplineBasis(choice.y_knots, options.degree), nodes.y, nodes.y_weight,
                  nodes.used_y());
-    const std::size_t parameters = x.functions() * y.functions();
-    if (nodes.count < parameters) {
-        throw Error("fit.too-few", "grid", std::to_string(nodes.count) + " nodes",
-                    std::to_string(parameters) + " coefficients need at least as many");
-    }
+    require_enough_nodes(nodes.count, x.functions() * y.functions());
     MaskedNormals normals(x, y);
     nodes.for_masked_rows([&](const MaskedRows& rows) { normals.add(rows); });
-    Solution solution = conjugate_gradients(
-        normals.products(), [&](const std::vector<double>& c) { return normals.times(c); }, x, y);
+    Solution solution = normals.solution();
     SurfaceFit fit{SplineSurface(x.basis(), y.basis(), std::move(solution.coefficients)), {}};
     FitSurfaceReport& report = fit.report;
     fill_lines(report, fit.surface);
